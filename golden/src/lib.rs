@@ -1,0 +1,1 @@
+//! The specification: what a tree is, what its nodes mean bit for bit, and what a ray finds in it.

@@ -1,0 +1,1 @@
+//! The hardware: floating-point units and traversal pipelines as synthesizable-style modules.
