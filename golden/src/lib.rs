@@ -2,5 +2,7 @@
 pub mod dst;
 pub mod fp;
 pub mod ray;
+mod simd;
+pub mod triangle;
 
 pub use ray::{Hit, Mode, Ray, TraversalRay};
