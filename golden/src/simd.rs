@@ -33,10 +33,6 @@ mod lanes {
             x
         }
         #[inline(always)]
-        pub fn add(self, b: Self) -> Self {
-            unsafe { Self(_mm_add_ps(self.0, b.0)) }
-        }
-        #[inline(always)]
         pub fn sub(self, b: Self) -> Self {
             unsafe { Self(_mm_sub_ps(self.0, b.0)) }
         }
@@ -55,10 +51,6 @@ mod lanes {
         #[inline(always)]
         pub fn abs(self) -> Self {
             unsafe { Self(_mm_andnot_ps(_mm_set1_ps(-0.0), self.0)) }
-        }
-        #[inline(always)]
-        pub fn neg(self) -> Self {
-            unsafe { Self(_mm_xor_ps(_mm_set1_ps(-0.0), self.0)) }
         }
         #[inline(always)]
         pub fn gt(self, b: Self) -> u32 {
@@ -83,6 +75,18 @@ mod lanes {
         #[inline(always)]
         pub fn x(self) -> f32 {
             unsafe { _mm_cvtss_f32(self.0) }
+        }
+        #[inline(always)]
+        pub fn yzwx(self) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<0b00_11_10_01>(self.0, self.0)) }
+        }
+        #[inline(always)]
+        pub fn interleave_low(self, b: Self) -> Self {
+            unsafe { Self(_mm_unpacklo_ps(self.0, b.0)) }
+        }
+        #[inline(always)]
+        pub fn interleave_high(self, b: Self) -> Self {
+            unsafe { Self(_mm_unpackhi_ps(self.0, b.0)) }
         }
         #[inline(always)]
         pub fn y(self) -> f32 {
@@ -128,10 +132,6 @@ mod lanes {
             self.0
         }
         #[inline(always)]
-        pub fn add(self, b: Self) -> Self {
-            Self(from_fn(|i| self.0[i] + b.0[i]))
-        }
-        #[inline(always)]
         pub fn sub(self, b: Self) -> Self {
             Self(from_fn(|i| self.0[i] - b.0[i]))
         }
@@ -150,10 +150,6 @@ mod lanes {
         #[inline(always)]
         pub fn abs(self) -> Self {
             Self(self.0.map(f32::abs))
-        }
-        #[inline(always)]
-        pub fn neg(self) -> Self {
-            Self(self.0.map(|x| -x))
         }
         #[inline(always)]
         pub fn gt(self, b: Self) -> u32 {
@@ -181,6 +177,19 @@ mod lanes {
         #[inline(always)]
         pub fn x(self) -> f32 {
             self.0[0]
+        }
+        #[inline(always)]
+        pub fn yzwx(self) -> Self {
+            let [x, y, z, w] = self.0;
+            Self([y, z, w, x])
+        }
+        #[inline(always)]
+        pub fn interleave_low(self, b: Self) -> Self {
+            Self([self.0[0], b.0[0], self.0[1], b.0[1]])
+        }
+        #[inline(always)]
+        pub fn interleave_high(self, b: Self) -> Self {
+            Self([self.0[2], b.0[2], self.0[3], b.0[3]])
         }
         #[inline(always)]
         pub fn y(self) -> f32 {
