@@ -1,0 +1,119 @@
+//! Dual-split trees: node format, traversal step, conversion from a binary hierarchy, proof of validity.
+
+mod convert;
+pub mod header;
+mod step;
+mod validate;
+
+pub use convert::MAX_CARVES;
+pub use step::{Child, Code, Step, step};
+pub use validate::{DstDefect, End, Record};
+
+use crate::Aabb;
+use crate::triangle::Triangle;
+use header::{Header, NODE_WORDS};
+use std::sync::Arc;
+
+/// A dual-split tree in its memory format.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dst {
+    /// The box of everything; not stored in the tree.
+    pub root_box: Aabb,
+    /// Headers and planes (see [`header`]); the root is at offset 0.
+    pub words: Vec<u32>,
+    /// The leaves' triangles.
+    pub triangles: Arc<[Triangle]>,
+}
+
+/// Why a tree cannot be written.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DstError {
+    /// The header's 26 bits cannot address it.
+    #[error(
+        "the dual-split tree would need offsets up to {words}, more than the 2^26 that a node's 26 bits \
+         reach: raise the leaf size or lower the scene's detail"
+    )]
+    TooLarge {
+        /// The offset that does not fit.
+        words: u64,
+    },
+}
+
+/// How many nodes of each kind a tree has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NodeCounts {
+    /// Split nodes.
+    pub splits: usize,
+    /// Carve nodes of one axis.
+    pub single_carves: usize,
+    /// Carve nodes of two axes.
+    pub dual_carves: usize,
+    /// Leaves of one word.
+    pub bare_leaves: usize,
+    /// Leaves that a carve node holds.
+    pub carved_leaves: usize,
+}
+
+impl NodeCounts {
+    /// Carve nodes of either kind.
+    #[must_use]
+    pub fn carves(&self) -> usize {
+        self.single_carves + self.dual_carves
+    }
+
+    /// Nodes of all kinds, bare leaves included.
+    #[must_use]
+    pub fn nodes(&self) -> usize {
+        self.splits + self.carves() + self.bare_leaves
+    }
+}
+
+impl Dst {
+    /// The node at `offset`; where fewer words follow (a bare leaf at the end), the missing ones are zero.
+    #[inline(always)]
+    #[must_use]
+    pub fn node(&self, offset: u32) -> [u32; NODE_WORDS as usize] {
+        let offset = offset as usize;
+        match self.words.get(offset..offset + NODE_WORDS as usize) {
+            Some(words) => words.try_into().expect("three words"),
+            None => [self.words[offset], 0, 0],
+        }
+    }
+
+    /// Bytes of the nodes, without the triangles.
+    #[must_use]
+    pub fn node_bytes(&self) -> usize {
+        size_of_val(self.words.as_slice())
+    }
+
+    /// Counts the nodes of each kind; every record is read once in the order of memory.
+    #[must_use]
+    pub fn node_counts(&self) -> NodeCounts {
+        let mut counts = NodeCounts::default();
+        let mut at = 0;
+        while at < self.words.len() {
+            let leaf = match Header::decode(self.words[at]) {
+                Some(Header::Split { .. }) | None => {
+                    counts.splits += 1;
+                    false
+                }
+                Some(Header::CarveSingle { leaf, .. }) => {
+                    counts.single_carves += 1;
+                    leaf
+                }
+                Some(Header::CarveDual { leaf, .. }) => {
+                    counts.dual_carves += 1;
+                    leaf
+                }
+                Some(Header::Leaf { .. }) => {
+                    counts.bare_leaves += 1;
+                    at += 1;
+                    continue;
+                }
+            };
+            counts.carved_leaves += usize::from(leaf);
+            at += NODE_WORDS as usize;
+        }
+        counts
+    }
+}
