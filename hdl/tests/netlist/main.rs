@@ -1,0 +1,5 @@
+//! Elaboration, guard, inventory and mutations on small modules of every language feature.
+
+mod elaboration;
+mod modules;
+mod support;
