@@ -13,6 +13,7 @@
 //! IEEE 754-2019, section 9.6. Subnormals are kept; rounding is to nearest even unless a function says otherwise.
 
 pub mod format;
+pub mod operands;
 pub mod soft;
 
 pub use format::{Format, FormatError};

@@ -1,6 +1,7 @@
 //! The integer reference against `rustc_apfloat`, the native type and its own stated properties.
 
 use super::*;
+use crate::fp::operands::{Operands, patterns};
 use rustc_apfloat::ieee::{IeeeFloat, Semantics};
 use rustc_apfloat::{Float, FloatConvert, Round};
 
@@ -114,33 +115,18 @@ fn e2m3_equals_apfloat_on_all_pairs() {
     exhaustive::<E2M3>();
 }
 
-/// Patterns of the TestFloat kind: few ones or few zeros in the fraction, exponents near every boundary.
-fn structured(format: Format) -> Vec<u32> {
-    let fraction_bits = format.fraction_bits();
-    let ones = (1u32 << fraction_bits) - 1;
-    let fractions = [0, 1, 2, ones >> 1, ones & !1, ones, 1 << (fraction_bits - 1), 1 << (fraction_bits / 2)];
-    let top = (1u32 << format.exponent_bits()) - 1;
-    let bias = format.bias() as u32;
-    let exponents =
-        [0, 1, 2, bias / 2, bias - 1, bias, bias + 1, bias + fraction_bits.min(bias), top - 1, top];
-    let magnitudes = exponents.iter().flat_map(|e| fractions.iter().map(move |f| e << fraction_bits | f));
-    magnitudes.flat_map(|m| [m, m | format.sign_bit()]).collect()
-}
-
 fn sampled<S: Semantics>() {
-    let patterns = structured(format::<S>());
+    let patterns = patterns(format::<S>());
     for &a in &patterns {
         for &b in &patterns {
             check::<S>(a, b);
         }
     }
-    let mask = format::<S>().mask();
-    let mut state = 0x9e37_79b9_7f4a_7c15u64;
-    let mut next = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 32) as u32 & mask
-    };
-    (0..100_000).for_each(|_| check::<S>(next(), next()));
+    let mut stream = Operands::new(format::<S>(), 1);
+    for _ in 0..100_000 {
+        let (a, b) = stream.pair();
+        check::<S>(a, b);
+    }
 }
 
 #[test]
@@ -153,7 +139,7 @@ fn binary32_bfloat16_and_binary16_equal_apfloat_on_patterns_and_samples() {
 #[test]
 fn conversions_equal_apfloat() {
     let unit = Arithmetic::new(Format::BINARY16);
-    for x in structured(Format::BINARY32) {
+    for x in patterns(Format::BINARY32) {
         for rounding in Rounding::ALL {
             let wide = IeeeFloat::<Binary32>::from_bits(u128::from(x));
             let narrow: IeeeFloat<Binary16> = wide.convert_r(direction(rounding), &mut false).value;
@@ -200,8 +186,8 @@ fn flushing_never_crosses_the_exact_result() {
 #[test]
 fn binary32_minimum_and_maximum_are_the_native_policy() {
     let unit = Arithmetic::new(Format::BINARY32);
-    for a in structured(Format::BINARY32) {
-        for b in structured(Format::BINARY32) {
+    for a in patterns(Format::BINARY32) {
+        for b in patterns(Format::BINARY32) {
             let (x, y) = (f32::from_bits(a), f32::from_bits(b));
             for (maximum, nan_mode, native) in [
                 (false, NanMode::Number, crate::fp::minimum_number(x, y)),
