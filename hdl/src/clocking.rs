@@ -42,8 +42,10 @@ macro_rules! clocked {
     )* };
 }
 
-use crate::units::{FpCmp, FpMinMax, IntAdd};
+use crate::units::{FpAdd, FpCmp, FpMinMax, FpMul, IntAdd};
 clocked! {
+    FpAdd<E, S, W, X, R, N, T>,
+    FpMul<E, S, W, X, R, P, T>,
     FpCmp<E, S, W, T>,
     FpMinMax<E, S, W, T>,
     IntAdd<B, T>,

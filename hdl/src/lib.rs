@@ -25,6 +25,7 @@
 
 pub mod blocks;
 pub mod clocking;
+pub mod formats;
 pub mod module;
 pub mod units;
 mod widths;
