@@ -1,0 +1,4 @@
+//! Dual-split trees: node format, traversal step, construction.
+
+pub mod header;
+pub mod step;
