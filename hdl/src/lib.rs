@@ -29,4 +29,5 @@ pub mod formats;
 pub mod module;
 pub mod netlist;
 pub mod units;
+pub mod verilog;
 mod widths;

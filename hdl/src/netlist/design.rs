@@ -84,6 +84,8 @@ pub struct LocalName {
     pub name: String,
     /// The node that carries the value.
     pub node: NodeId,
+    /// Whether it is the last value of the signal.
+    pub is_last: bool,
     /// How the bits are meant.
     pub signal_type: SignalType,
 }
@@ -98,6 +100,8 @@ pub struct Module {
     pub name: String,
     /// What the module is in the source, shared by all its specialisations: the unit of an inventory.
     pub kind: String,
+    /// Values of the generics as the source names them, such as `e8m23`; empty if it has none.
+    pub generics: String,
     /// The values it was specialised for, in order of declaration.
     pub parameters: Vec<Parameter>,
     /// Name of the clock input, if anything beneath is clocked.

@@ -453,8 +453,10 @@ impl<'a> Kernel<'a> {
         }
         let digits = text.split_once('u').map_or(text, |(digits, _)| digits).replace('_', "");
         let value = match digits.split_at_checked(2) {
-            _ if text == "true" => Some(1),
-            _ if text == "false" => Some(0),
+            _ if text == "true" || text == "false" => {
+                // rust-hdl prints the word as it is, an undeclared name in Verilog.
+                return Err(ErrorKind::NotUnderstood(format!("the pattern `{text}`; use `if`")));
+            }
             Some(("0x", hex)) => u128::from_str_radix(hex, 16).ok(),
             Some(("0b", binary)) => u128::from_str_radix(binary, 2).ok(),
             _ => digits.parse().ok(),

@@ -83,7 +83,7 @@ fn lower(scope: &Scope, signals: &Signals, path: &str) -> Result<Module, Elabora
     };
     let outcome = execute(block, signals, &mut graph, Semantics::Rust, path)?;
     let names = local_names(signals, &outcome);
-    let (kind, _) = kind_of(scope);
+    let (kind, generics) = kind_of(scope);
     let mut drivers: BTreeMap<Key, NodeId> = BTreeMap::new();
     for (target, &node) in signals.targets.iter().zip(&outcome.values) {
         drivers.insert(key(target.destination), node);
@@ -92,6 +92,7 @@ fn lower(scope: &Scope, signals: &Signals, path: &str) -> Result<Module, Elabora
     Ok(Module {
         name: kind.clone(),
         kind,
+        generics,
         parameters: signals.parameters.clone(),
         clock: signals.clock.clone(),
         inputs: signals.inputs.clone(),
@@ -174,7 +175,8 @@ fn local_names(signals: &Signals, outcome: &Outcome) -> Vec<LocalName> {
     for version in named {
         if let Some(name) = names.remove(&(version.target, version.node)) {
             let signal_type = signals.targets[version.target].signal_type.clone();
-            result.push(LocalName { name, node: version.node, signal_type });
+            let is_last = version.node == outcome.values[version.target];
+            result.push(LocalName { name, node: version.node, is_last, signal_type });
         }
     }
     result

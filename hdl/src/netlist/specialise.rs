@@ -147,6 +147,7 @@ impl Specialiser<'_> {
         let module = Module {
             name: module.name.clone(),
             kind: module.kind.clone(),
+            generics: module.generics.clone(),
             parameters: module.parameters.iter().cloned().chain(tied).collect(),
             clock: module.clock.clone().filter(|_| clocked),
             inputs: (module.inputs.iter().zip(&used_inputs))

@@ -3,3 +3,6 @@
 mod elaboration;
 mod modules;
 mod support;
+mod tools;
+mod units;
+mod verilog;

@@ -58,7 +58,7 @@ pub struct Operators {
     wide_a: Signal<Local, Bits<9>>,
     wide_b: Signal<Local, Bits<9>>,
     t: Signal<Local, Bits<16>>,
-    bit: Signal<Local, Bits<8>>,
+    with_bit: Signal<Local, Bits<8>>,
 }
 
 impl Logic for Operators {
@@ -94,8 +94,8 @@ impl Logic for Operators {
             self.compared.next = self.compared.val() | 16;
         }
         self.sliced.next = self.a.val().get_bits::<3>(2);
-        self.bit.next = self.a.val().replace_bit(3, self.c.val());
-        self.replaced.next = self.bit.val();
+        self.with_bit.next = self.a.val().replace_bit(3, self.c.val());
+        self.replaced.next = self.with_bit.val();
     }
 }
 driven!(
@@ -378,11 +378,8 @@ impl Logic for Fields {
         self.rotated.next = self.lower.val() | self.upper.val();
         self.picked.next = self.low.val().get_bit(self.index.val().index());
         self.nibble.next = self.head.val();
-        match self.head.val().get_bit(0) {
-            true => {
-                self.nibble.next = self.packet.q.val().head;
-            }
-            false => {}
+        if self.head.val().get_bit(0) {
+            self.nibble.next = self.packet.q.val().head;
         }
         self.head_out.next = self.packet.q.val().head;
         self.body_out.next = self.packet.q.val().body;

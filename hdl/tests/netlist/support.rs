@@ -87,6 +87,11 @@ pub fn stimulus(cycle: u64, input: usize, width: u32) -> u128 {
 
 /// Simulates with rust-hdl and with the netlist for `cycles` cycles; panics at the first output that differs.
 pub fn assert_same<M: Driven>(name: &str, cycles: u64) {
+    assert_same_after::<M>(name, cycles, |_| ());
+}
+
+/// [`assert_same`] with the inputs of each cycle adjusted first.
+pub fn assert_same_after<M: Driven>(name: &str, cycles: u64, adjust: impl Fn(&mut [u128])) {
     let mut module = M::default();
     module.connect_all();
     check_all(&module).unwrap_or_else(|error| panic!("{name}: {error:?}"));
@@ -94,8 +99,9 @@ pub fn assert_same<M: Driven>(name: &str, cycles: u64) {
     let flat = flatten(&design).unwrap();
     let mut evaluator = Evaluator::new(&flat);
     for cycle in 0..cycles {
-        let inputs: Vec<u128> =
+        let mut inputs: Vec<u128> =
             flat.inputs.iter().enumerate().map(|(i, port)| stimulus(cycle, i, port.width)).collect();
+        adjust(&mut inputs);
         module.drive(&inputs);
         module.set_clock(false);
         assert!(simulate(&mut module, 100), "{name} does not settle");
