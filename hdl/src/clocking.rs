@@ -42,8 +42,11 @@ macro_rules! clocked {
     )* };
 }
 
+use crate::pipelines::{DualSplitPipeline, RayBoxPipeline};
 use crate::units::{FpAdd, FpCmp, FpMinMax, FpMul, IntAdd};
 clocked! {
+    DualSplitPipeline<E, S, W, X, R, N, P, C, T>,
+    RayBoxPipeline<E, S, W, X, R, N, P, C, T>,
     FpAdd<E, S, W, X, R, N, T>,
     FpMul<E, S, W, X, R, P, T>,
     FpCmp<E, S, W, T>,

@@ -22,6 +22,28 @@ macro_rules! fp_mul {
     };
 }
 
+/// The [`DualSplitPipeline`](crate::pipelines::DualSplitPipeline) with the given exponent bits, significand bits, role
+/// comparators (2 as published, or 0) and tag bits.
+#[macro_export]
+macro_rules! dual_split {
+    ($e:expr, $s:expr, $c:expr, $t:expr) => {
+        $crate::pipelines::DualSplitPipeline<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $c }, { $t },
+        >
+    };
+}
+
+/// The [`RayBoxPipeline`](crate::pipelines::RayBoxPipeline) with the given exponent bits, significand bits, comparators (2
+/// as published, or 1) and tag bits.
+#[macro_export]
+macro_rules! ray_box {
+    ($e:expr, $s:expr, $c:expr, $t:expr) => {
+        $crate::pipelines::RayBoxPipeline<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $c }, { $t },
+        >
+    };
+}
+
 macro_rules! formats {
     ($($(#[$doc:meta])* $format:ident: $e:literal, $s:literal;)*) => { $(
         $(#[$doc])*
@@ -34,6 +56,14 @@ macro_rules! formats {
             pub type FpMinMax = crate::units::FpMinMax<$e, $s, { $e + $s }, 1>;
             /// Comparison.
             pub type FpCmp = crate::units::FpCmp<$e, $s, { $e + $s }, 1>;
+            /// Dual-split pipeline with the published inventory.
+            pub type DualSplitPipeline = dual_split!($e, $s, 2, 1);
+            /// Dual-split pipeline without redundant comparators.
+            pub type DualSplitPipelineLean = dual_split!($e, $s, 0, 1);
+            /// Ray-box pipeline with the published inventory.
+            pub type RayBoxPipeline = ray_box!($e, $s, 2, 1);
+            /// Ray-box pipeline without redundant comparators.
+            pub type RayBoxPipelineLean = ray_box!($e, $s, 1, 1);
         }
     )* };
 }
