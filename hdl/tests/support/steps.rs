@@ -2,8 +2,9 @@
 
 use golden::dst::step::{Code, Step, step};
 use golden::fp::operands::Operands;
-use golden::fp::{Format, maximum, maximum_number, minimum, minimum_number};
-use golden::{Mode, Ray, TraversalRay};
+use golden::bvh::box_step;
+use golden::fp::Format;
+use golden::{Aabb, Mode, Ray, TraversalRay};
 
 /// The ray's part of a pipeline's inputs, as bit patterns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,34 +48,23 @@ impl NodeCase {
 }
 
 impl BoxCase {
-    /// Hit, and entry distance if so, by the equations in the pipeline's header.
+    /// Hit, and entry distance if so.
     pub fn golden(&self) -> (bool, Option<u32>) {
-        let ray = self.ray.traversal_ray();
-        let (mut entry, mut exit) = (f32::from_bits(self.ray.t_min), f32::from_bits(self.ray.t_max));
-        for axis in 0..3 {
-            let [low, high] = [axis, axis + 3].map(|i| f32::from_bits(self.planes[i]));
-            let (t_low, t_high) = if ray.is_negative(axis) {
-                (ray.exit(low, axis), ray.entry(high, axis))
-            } else {
-                (ray.entry(low, axis), ray.exit(high, axis))
-            };
-            entry = maximum_number(entry, minimum(t_low, t_high));
-            exit = minimum_number(exit, maximum(t_low, t_high));
-        }
-        let hit = entry <= exit;
-        (hit, hit.then(|| entry.to_bits()))
+        let plane = |i: usize| f32::from_bits(self.planes[i]);
+        let bounds = Aabb { min: [plane(0), plane(1), plane(2)], max: [plane(3), plane(4), plane(5)] };
+        let (t_min, t_max) = (f32::from_bits(self.ray.t_min), f32::from_bits(self.ray.t_max));
+        let step = box_step(&bounds, &self.ray.traversal_ray(), t_min, t_max);
+        (step.hit, step.hit.then(|| step.t_entry.to_bits()))
     }
 }
 
 impl RayWords {
     fn traversal_ray(&self) -> TraversalRay {
-        let any = TraversalRay::new(&Ray::new([0.0; 3], [1.0; 3]), Mode::Fast).expect("a valid ray");
-        TraversalRay {
-            origin: self.origin.map(f32::from_bits),
-            inv_entry: self.inv_entry.map(f32::from_bits),
-            inv_exit: self.inv_exit.map(f32::from_bits),
-            ..any
-        }
+        let mut ray = TraversalRay::new(&Ray::new([0.0; 3], [1.0; 3]), Mode::Fast).expect("a valid ray");
+        ray.origin = self.origin.map(f32::from_bits);
+        ray.inv_entry = self.inv_entry.map(f32::from_bits);
+        ray.inv_exit = self.inv_exit.map(f32::from_bits);
+        ray
     }
 }
 
