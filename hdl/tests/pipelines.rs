@@ -5,8 +5,6 @@ mod support;
 use hdl::clocking::Clocked;
 use hdl::pipelines::{DualSplitPipeline, RayBoxPipeline};
 use hdl::{dual_split, ray_box};
-use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed};
 use std::collections::VecDeque;
 use std::fmt::Debug;
 use support::steps::{BoxCase, Cases, NodeCase, Outcome, RayWords};

@@ -3,7 +3,7 @@
 //! The distance to each of a node's two planes is `t = (plane - origin[axis]) * inv[axis]`, with the reciprocal of the
 //! plane's role (exit or entry), every operation rounded to nearest even and none fused. All node types flow through
 //! the same units; multiplexers select operands and results, and nothing branches. What a step computes bit for
-//! bit is stated by [`golden::dst::step`].
+//! bit is stated by [`golden::dst::step()`].
 //!
 //! | cycle | work | units |
 //! |---|---|---|

@@ -1,9 +1,9 @@
 //! Nodes, boxes and rays for the pipeline tests, with golden's answers.
 
-use golden::dst::step::{Code, Step, step};
-use golden::fp::operands::Operands;
 use golden::bvh::box_step;
+use golden::dst::{Code, Step, step};
 use golden::fp::Format;
+use golden::fp::operands::Operands;
 use golden::{Aabb, Mode, Ray, TraversalRay};
 
 /// The ray's part of a pipeline's inputs, as bit patterns.
@@ -42,7 +42,7 @@ impl NodeCase {
         let ray = self.ray.traversal_ray();
         let Step { code, near, far } =
             step(self.words, &ray, f32::from_bits(self.ray.t_min), f32::from_bits(self.ray.t_max));
-        let slot = |child: golden::dst::step::Child| (child.offset, child.t_min.to_bits(), child.t_max.to_bits());
+        let slot = |child: golden::dst::Child| (child.offset, child.t_min.to_bits(), child.t_max.to_bits());
         (code as u8, (code != Code::Miss).then(|| slot(near)), (code == Code::Two).then(|| slot(far)))
     }
 }
