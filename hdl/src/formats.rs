@@ -44,6 +44,27 @@ macro_rules! ray_box {
     };
 }
 
+/// The [`RayBoxParallel`](crate::pipelines::RayBoxParallel) with the given exponent bits, significand bits, boxes, comparators
+/// for each box and tag bits.
+#[macro_export]
+macro_rules! ray_box_parallel {
+    ($e:expr, $s:expr, $k:expr, $c:expr, $t:expr) => {
+        $crate::pipelines::RayBoxParallel<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $k }, { $c }, { $t },
+        >
+    };
+}
+
+/// The [`SharedUnits`](crate::pipelines::SharedUnits) with the given exponent bits, significand bits and tag bits.
+#[macro_export]
+macro_rules! shared_units {
+    ($e:expr, $s:expr, $t:expr) => {
+        $crate::pipelines::SharedUnits<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $t },
+        >
+    };
+}
+
 macro_rules! formats {
     ($($(#[$doc:meta])* $format:ident: $e:literal, $s:literal;)*) => { $(
         $(#[$doc])*
@@ -64,6 +85,14 @@ macro_rules! formats {
             pub type RayBoxPipeline = ray_box!($e, $s, 2, 1);
             /// Ray-box pipeline without redundant comparators.
             pub type RayBoxPipelineLean = ray_box!($e, $s, 1, 1);
+            /// Two ray-box pipelines.
+            pub type RayBoxX2 = ray_box_parallel!($e, $s, 2, 2, 1);
+            /// Four ray-box pipelines.
+            pub type RayBoxX4 = ray_box_parallel!($e, $s, 4, 2, 1);
+            /// Eight ray-box pipelines.
+            pub type RayBoxX8 = ray_box_parallel!($e, $s, 8, 2, 1);
+            /// The multiprocessor's shared units with both pipelines' routing.
+            pub type SharedUnits = shared_units!($e, $s, 1);
         }
     )* };
 }

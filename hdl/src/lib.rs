@@ -27,6 +27,7 @@
 pub mod blocks;
 pub mod clocking;
 pub mod formats;
+pub mod inventory;
 pub mod module;
 pub mod pipelines;
 pub mod units;

@@ -6,6 +6,8 @@
 //! | [`DualSplitPipeline`], `C = 0` | the same, without redundant comparisons | 1 | 2 | 2 | 3 | 2 |
 //! | [`RayBoxPipeline`], `C = 2` | ray-box test | | 6 | 6 | 12 | 2 |
 //! | [`RayBoxPipeline`], `C = 1` | the same, without the redundant comparison | | 6 | 6 | 12 | 1 |
+//! | [`RayBoxParallel`] | `K` ray-box tests | | 6 K | 6 K | 12 K | 2 K |
+//! | [`SharedUnits`] | eight adders and multipliers, or one of the two | 1 | 8 | 8 | 15 | 6 |
 
 mod dual_split;
 mod dual_split_fold;
@@ -13,8 +15,12 @@ mod dual_split_select;
 mod node_header;
 mod ray_box;
 mod ray_box_fold;
+mod ray_box_parallel;
 mod ray_box_select;
 mod ray_select;
+mod shared_units;
 
 pub use dual_split::DualSplitPipeline;
 pub use ray_box::RayBoxPipeline;
+pub use ray_box_parallel::RayBoxParallel;
+pub use shared_units::SharedUnits;
