@@ -2,9 +2,13 @@
 
 mod support;
 
+use golden::fp::Format;
+use golden::fp::operands::patterns;
 use hdl::clocking::Clocked;
 use hdl::pipelines::{DualSplitPipeline, RayBoxPipeline};
 use hdl::{dual_split, ray_box};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
 use std::collections::VecDeque;
 use std::fmt::Debug;
 use support::steps::{BoxCase, Cases, NodeCase, Outcome, RayWords};
@@ -147,6 +151,53 @@ fn cycles<P: Pipeline>(seed: u64, gaps: bool) -> impl Iterator<Item = Cycle<P::C
             case: P::draw(&mut cases),
         }
     })
+}
+
+/// Words that shrink towards zero and towards few set bits.
+fn word() -> impl Strategy<Value = u32> {
+    let special = patterns(Format::BINARY32);
+    prop_oneof![
+        any::<u32>(),
+        proptest::sample::select(special),
+        (-8i32..9).prop_map(|x| (x as f32).to_bits())
+    ]
+}
+
+fn ray() -> impl Strategy<Value = RayWords> {
+    let axes = || [word(), word(), word()];
+    (axes(), axes(), axes(), word(), word()).prop_map(|(origin, inv_entry, inv_exit, t_min, t_max)| {
+        RayWords { origin, inv_entry, inv_exit, t_min, t_max }
+    })
+}
+
+fn gaps<C: Debug>(case: impl Strategy<Value = C>) -> impl Strategy<Value = Vec<Cycle<C>>> {
+    let cycle = (any::<bool>(), any::<bool>(), 0..1u64 << TAG_BITS, case)
+        .prop_map(|(enable, valid, tag, case)| Cycle { enable, valid, tag, case });
+    proptest::collection::vec(cycle, 1..40)
+}
+
+fn config() -> Config {
+    Config { cases: 60, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Config::default() }
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn dual_split_equals_golden_on_shrinkable_cycles(
+        cycles in gaps((any::<[u32; 1]>(), word(), word(), ray()).prop_map(|([header], plane_0, plane_1, ray)| {
+            NodeCase { words: [header, plane_0, plane_1], ray }
+        }))
+    ) {
+        run::<DualSplit>(cycles);
+    }
+
+    #[test]
+    fn ray_box_equals_golden_on_shrinkable_cycles(
+        cycles in gaps((proptest::array::uniform6(word()), ray()).prop_map(|(planes, ray)| BoxCase { planes, ray }))
+    ) {
+        run::<RayBox>(cycles);
+    }
 }
 
 type DualSplit = dual_split!(8, 24, 2, TAG_BITS);
