@@ -1,6 +1,7 @@
 //! Oracles and operands that the unit tests share.
 #![allow(dead_code)]
 
+pub mod harness;
 pub mod steps;
 
 use golden::fp::operands::{Operands, patterns};
