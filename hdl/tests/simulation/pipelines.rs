@@ -1,7 +1,7 @@
 //! Both pipelines in rust-hdl's simulator against golden: back to back, with bubbles and with stalls.
 
-mod support;
-
+use crate::support::harness::{Cycle, Pipeline, TAG_BITS, cycles, drive_ray, handshake, run};
+use crate::support::steps::{BoxCase, Cases, NodeCase, Outcome, RayWords};
 use golden::fp::Format;
 use golden::fp::operands::patterns;
 use hdl::clocking::Clocked;
@@ -10,8 +10,6 @@ use hdl::{dual_split, ray_box};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use std::fmt::Debug;
-use support::harness::{Cycle, Pipeline, TAG_BITS, cycles, drive_ray, handshake, run};
-use support::steps::{BoxCase, Cases, NodeCase, Outcome, RayWords};
 
 impl<const C: usize> Pipeline for DualSplitPipeline<8, 24, 32, 10, 26, 28, 48, C, TAG_BITS> {
     type Case = NodeCase;

@@ -1,13 +1,11 @@
 //! The shared units in each of their modes, and the parallel ray-box forms, in rust-hdl's simulator.
 
-mod support;
-
+use crate::support::harness::{Pipeline, TAG_BITS, cycles, drive_ray, handshake, run};
+use crate::support::steps::{BoxCase, Cases, NodeCase, Outcome};
 use golden::fp::operands::Operands;
 use golden::fp::{Arithmetic, Format, Rounding};
 use hdl::clocking::Clocked;
 use hdl::{ray_box_parallel, shared_units};
-use support::harness::{Pipeline, TAG_BITS, cycles, drive_ray, handshake, run};
-use support::steps::{BoxCase, Cases, NodeCase, Outcome};
 
 type Shared = shared_units!(8, 24, TAG_BITS);
 
@@ -131,7 +129,7 @@ fn threads_get_free_units(mode: u64, first_free: usize) {
             (units.add_b_i[i].next, units.mul_b_i[i].next) = (word(b), word(b));
             units.add_subtract_i[i].next = subtract;
             units.add_tag_i[i].next = (cycle & 15).into();
-            units.mul_tag_i[i].next = (cycle + 1 & 15).into();
+            units.mul_tag_i[i].next = ((cycle + 1) & 15).into();
         }
         units.tick();
         let Some(operations) = previous.replace(drawn) else { continue };
@@ -143,7 +141,7 @@ fn threads_get_free_units(mode: u64, first_free: usize) {
                 assert_eq!(sum.to_u32(), golden.fp_add(a, b, subtract, Rounding::NearestEven));
                 assert_eq!(product.to_u32(), golden.fp_mul(a, b, Rounding::NearestEven));
                 let tags = (units.add_tag_o[i].val().to_u64(), units.mul_tag_o[i].val().to_u64());
-                assert_eq!(tags, (cycle - 1 & 15, cycle & 15));
+                assert_eq!(tags, ((cycle - 1) & 15, cycle & 15));
             }
         }
     }

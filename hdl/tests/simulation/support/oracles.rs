@@ -1,8 +1,4 @@
-//! Oracles and operands that the unit tests share.
-#![allow(dead_code)]
-
-pub mod harness;
-pub mod steps;
+//! Operations of the rounding units and what every oracle says of them.
 
 use golden::fp::operands::{Operands, patterns};
 use golden::fp::{Arithmetic, Format, Rounding, Subnormals};

@@ -1,14 +1,12 @@
 //! `FpAdd` and `FpMul` in rust-hdl's simulator, one operation per cycle, against every oracle that knows the format.
 
-mod support;
-
+use crate::support::oracles::{Kind, Operation, arithmetic, exhaustive, operations};
 use golden::fp::operands::Operands;
 use golden::fp::{Arithmetic, Format, Rounding, Subnormals};
 use hdl::clocking::Clocked;
 use hdl::units::{FpAdd, FpMul};
 use hdl::{fp_add, fp_mul};
 use std::collections::VecDeque;
-use support::{Kind, Operation, arithmetic, exhaustive, operations};
 
 const LATENCY_CYCLES: usize = 2;
 const TAG_BITS: usize = 4;
