@@ -32,6 +32,8 @@ pub mod clocking;
 pub mod formats;
 pub mod inventory;
 pub mod module;
+pub mod netlist;
 pub mod pipelines;
 pub mod units;
+pub mod verilog;
 mod widths;
