@@ -2,6 +2,7 @@
 //!
 //! Every module is written once for all formats. Its widths are const generics: `E` exponent bits and `S` significand
 //! bits (hidden bit included, as in [`golden::fp::Format`]) are free, the others follow from them, and a constant assertion
+//! checks each relation when a module is instantiated. [`formats`] names the usual instances.
 //!
 //! | generic | value | meaning |
 //! |---|---|---|

@@ -6,6 +6,7 @@ mod pipelines;
 mod shared_units;
 mod structure;
 mod testfloat;
+mod traversal;
 mod two_cycle_units;
 
 mod support {

@@ -114,7 +114,7 @@ proptest! {
     }
 }
 
-type DualSplit = dual_split!(8, 24, 2, TAG_BITS);
+pub type DualSplit = dual_split!(8, 24, 2, TAG_BITS);
 type DualSplitLean = dual_split!(8, 24, 0, TAG_BITS);
 type RayBox = ray_box!(8, 24, 2, TAG_BITS);
 type RayBoxLean = ray_box!(8, 24, 1, TAG_BITS);
