@@ -27,14 +27,19 @@ mod lanes {
             unsafe { Self(_mm_loadu_ps(x.as_ptr())) }
         }
         #[inline(always)]
+        pub fn pairs(low: [f32; 2], high: [f32; 2]) -> Self {
+            let pair = |x: [f32; 2]| i64::from(x[0].to_bits()) | i64::from(x[1].to_bits()) << 32;
+            unsafe { Self(_mm_castsi128_ps(_mm_set_epi64x(pair(high), pair(low)))) }
+        }
+        #[inline(always)]
+        pub fn xxyy(x: f32, y: f32) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<0>(_mm_set_ss(x), _mm_set_ss(y))) }
+        }
+        #[inline(always)]
         pub fn to_array(self) -> [f32; 4] {
             let mut x = [0.0; 4];
             unsafe { _mm_storeu_ps(x.as_mut_ptr(), self.0) };
             x
-        }
-        #[inline(always)]
-        pub fn add(self, b: Self) -> Self {
-            unsafe { Self(_mm_add_ps(self.0, b.0)) }
         }
         #[inline(always)]
         pub fn sub(self, b: Self) -> Self {
@@ -55,10 +60,6 @@ mod lanes {
         #[inline(always)]
         pub fn abs(self) -> Self {
             unsafe { Self(_mm_andnot_ps(_mm_set1_ps(-0.0), self.0)) }
-        }
-        #[inline(always)]
-        pub fn neg(self) -> Self {
-            unsafe { Self(_mm_xor_ps(_mm_set1_ps(-0.0), self.0)) }
         }
         #[inline(always)]
         pub fn gt(self, b: Self) -> u32 {
@@ -83,6 +84,33 @@ mod lanes {
         #[inline(always)]
         pub fn x(self) -> f32 {
             unsafe { _mm_cvtss_f32(self.0) }
+        }
+        #[inline(always)]
+        pub fn yzwx(self) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<0b00_11_10_01>(self.0, self.0)) }
+        }
+        #[inline(always)]
+        pub fn yxwz(self) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<0b10_11_00_01>(self.0, self.0)) }
+        }
+        #[inline(always)]
+        pub fn or(self, mask: Self) -> Self {
+            unsafe { Self(_mm_or_ps(self.0, mask.0)) }
+        }
+        #[inline(always)]
+        pub fn or_not(self, mask: Self) -> Self {
+            unsafe {
+                let ones = _mm_castsi128_ps(_mm_set1_epi32(-1));
+                Self(_mm_or_ps(self.0, _mm_xor_ps(mask.0, ones)))
+            }
+        }
+        #[inline(always)]
+        pub fn interleave_low(self, b: Self) -> Self {
+            unsafe { Self(_mm_unpacklo_ps(self.0, b.0)) }
+        }
+        #[inline(always)]
+        pub fn interleave_high(self, b: Self) -> Self {
+            unsafe { Self(_mm_unpackhi_ps(self.0, b.0)) }
         }
         #[inline(always)]
         pub fn y(self) -> f32 {
@@ -124,12 +152,16 @@ mod lanes {
             Self(*x)
         }
         #[inline(always)]
-        pub fn to_array(self) -> [f32; 4] {
-            self.0
+        pub fn pairs([x, y]: [f32; 2], [z, w]: [f32; 2]) -> Self {
+            Self([x, y, z, w])
         }
         #[inline(always)]
-        pub fn add(self, b: Self) -> Self {
-            Self(from_fn(|i| self.0[i] + b.0[i]))
+        pub fn xxyy(x: f32, y: f32) -> Self {
+            Self([x, x, y, y])
+        }
+        #[inline(always)]
+        pub fn to_array(self) -> [f32; 4] {
+            self.0
         }
         #[inline(always)]
         pub fn sub(self, b: Self) -> Self {
@@ -150,10 +182,6 @@ mod lanes {
         #[inline(always)]
         pub fn abs(self) -> Self {
             Self(self.0.map(f32::abs))
-        }
-        #[inline(always)]
-        pub fn neg(self) -> Self {
-            Self(self.0.map(|x| -x))
         }
         #[inline(always)]
         pub fn gt(self, b: Self) -> u32 {
@@ -181,6 +209,32 @@ mod lanes {
         #[inline(always)]
         pub fn x(self) -> f32 {
             self.0[0]
+        }
+        #[inline(always)]
+        pub fn yzwx(self) -> Self {
+            let [x, y, z, w] = self.0;
+            Self([y, z, w, x])
+        }
+        #[inline(always)]
+        pub fn yxwz(self) -> Self {
+            let [x, y, z, w] = self.0;
+            Self([y, x, w, z])
+        }
+        #[inline(always)]
+        pub fn or(self, mask: Self) -> Self {
+            Self(from_fn(|i| f32::from_bits(self.0[i].to_bits() | mask.0[i].to_bits())))
+        }
+        #[inline(always)]
+        pub fn or_not(self, mask: Self) -> Self {
+            Self(from_fn(|i| f32::from_bits(self.0[i].to_bits() | !mask.0[i].to_bits())))
+        }
+        #[inline(always)]
+        pub fn interleave_low(self, b: Self) -> Self {
+            Self([self.0[0], b.0[0], self.0[1], b.0[1]])
+        }
+        #[inline(always)]
+        pub fn interleave_high(self, b: Self) -> Self {
+            Self([self.0[2], b.0[2], self.0[3], b.0[3]])
         }
         #[inline(always)]
         pub fn y(self) -> f32 {

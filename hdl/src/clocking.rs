@@ -42,8 +42,13 @@ macro_rules! clocked {
     )* };
 }
 
+use crate::pipelines::{DualSplitPipeline, RayBoxParallel, RayBoxPipeline, SharedUnits};
 use crate::units::{FpAdd, FpCmp, FpMinMax, FpMul, IntAdd};
 clocked! {
+    DualSplitPipeline<E, S, W, X, R, N, P, C, T>,
+    RayBoxPipeline<E, S, W, X, R, N, P, C, T>,
+    RayBoxParallel<E, S, W, X, R, N, P, K, C, T>,
+    SharedUnits<E, S, W, X, R, N, P, T>,
     FpAdd<E, S, W, X, R, N, T>,
     FpMul<E, S, W, X, R, P, T>,
     FpCmp<E, S, W, T>,

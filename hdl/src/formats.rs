@@ -22,6 +22,49 @@ macro_rules! fp_mul {
     };
 }
 
+/// The [`DualSplitPipeline`](crate::pipelines::DualSplitPipeline) with the given exponent bits, significand bits, role
+/// comparators (2 as published, or 0) and tag bits.
+#[macro_export]
+macro_rules! dual_split {
+    ($e:expr, $s:expr, $c:expr, $t:expr) => {
+        $crate::pipelines::DualSplitPipeline<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $c }, { $t },
+        >
+    };
+}
+
+/// The [`RayBoxPipeline`](crate::pipelines::RayBoxPipeline) with the given exponent bits, significand bits, comparators (2
+/// as published, or 1) and tag bits.
+#[macro_export]
+macro_rules! ray_box {
+    ($e:expr, $s:expr, $c:expr, $t:expr) => {
+        $crate::pipelines::RayBoxPipeline<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $c }, { $t },
+        >
+    };
+}
+
+/// The [`RayBoxParallel`](crate::pipelines::RayBoxParallel) with the given exponent bits, significand bits, boxes, comparators
+/// for each box and tag bits.
+#[macro_export]
+macro_rules! ray_box_parallel {
+    ($e:expr, $s:expr, $k:expr, $c:expr, $t:expr) => {
+        $crate::pipelines::RayBoxParallel<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $k }, { $c }, { $t },
+        >
+    };
+}
+
+/// The [`SharedUnits`](crate::pipelines::SharedUnits) with the given exponent bits, significand bits and tag bits.
+#[macro_export]
+macro_rules! shared_units {
+    ($e:expr, $s:expr, $t:expr) => {
+        $crate::pipelines::SharedUnits<
+            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $t },
+        >
+    };
+}
+
 macro_rules! formats {
     ($($(#[$doc:meta])* $format:ident: $e:literal, $s:literal;)*) => { $(
         $(#[$doc])*
@@ -34,6 +77,22 @@ macro_rules! formats {
             pub type FpMinMax = crate::units::FpMinMax<$e, $s, { $e + $s }, 1>;
             /// Comparison.
             pub type FpCmp = crate::units::FpCmp<$e, $s, { $e + $s }, 1>;
+            /// Dual-split pipeline with the published inventory.
+            pub type DualSplitPipeline = dual_split!($e, $s, 2, 1);
+            /// Dual-split pipeline without redundant comparators.
+            pub type DualSplitPipelineLean = dual_split!($e, $s, 0, 1);
+            /// Ray-box pipeline with the published inventory.
+            pub type RayBoxPipeline = ray_box!($e, $s, 2, 1);
+            /// Ray-box pipeline without redundant comparators.
+            pub type RayBoxPipelineLean = ray_box!($e, $s, 1, 1);
+            /// Two ray-box pipelines.
+            pub type RayBoxX2 = ray_box_parallel!($e, $s, 2, 2, 1);
+            /// Four ray-box pipelines.
+            pub type RayBoxX4 = ray_box_parallel!($e, $s, 4, 2, 1);
+            /// Eight ray-box pipelines.
+            pub type RayBoxX8 = ray_box_parallel!($e, $s, 8, 2, 1);
+            /// The multiprocessor's shared units with both pipelines' routing.
+            pub type SharedUnits = shared_units!($e, $s, 1);
         }
     )* };
 }

@@ -12,6 +12,7 @@
 //! | `R` | `S + 2` | significand of an unrounded result: `S` bits, round bit, sticky bit |
 //! | `N` | `S + 4` | sum of two significands: carry, `S` bits, three bits below |
 //! | `P` | `2 * S` | product of two significands |
+//! | `C` | | comparators that a pipeline has of those that are not needed in every variant |
 //! | `T` | | tag that travels with an operation |
 //!
 //! # Conventions
@@ -24,10 +25,13 @@
 //!   Verilog evaluates an expression in the width of its context and Rust does not.
 
 pub mod blocks;
+pub mod catalogue;
 pub mod clocking;
 pub mod formats;
+pub mod inventory;
 pub mod module;
 pub mod netlist;
+pub mod pipelines;
 pub mod units;
 pub mod verilog;
 mod widths;

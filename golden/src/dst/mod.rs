@@ -1,4 +1,136 @@
-//! Dual-split trees: node format, traversal step, construction.
+//! Dual-split trees: node format, traversal step, conversion from a binary hierarchy, proof of validity.
 
+mod convert;
 pub mod header;
-pub mod step;
+mod step;
+mod validate;
+
+pub use convert::MAX_CARVES;
+pub use step::{Child, Code, Step, step};
+pub use validate::{DstDefect, End, Record};
+
+use crate::Aabb;
+use crate::triangle::Triangle;
+use header::{Header, LEAF_WORDS, NODE_WORDS};
+use std::sync::Arc;
+
+/// Words behind the tree, so that a bare leaf at its end can be read like a node.
+const PADDING: usize = (NODE_WORDS - LEAF_WORDS) as usize;
+
+/// A dual-split tree in its memory format.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dst {
+    /// The box of everything; not stored in the tree.
+    pub root_box: Aabb,
+    /// Headers and planes (see [`header`]), the root at offset 0; then [`PADDING`] words of zero.
+    memory: Vec<u32>,
+    /// The leaves' triangles.
+    pub triangles: Arc<[Triangle]>,
+}
+
+/// Why a tree cannot be written.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DstError {
+    /// The header's 26 bits cannot address it.
+    #[error(
+        "the dual-split tree would need offsets up to {words}, more than the 2^26 that a node's 26 bits \
+         reach: raise the leaf size or lower the scene's detail"
+    )]
+    TooLarge {
+        /// The offset that does not fit.
+        words: u64,
+    },
+}
+
+/// How many nodes of each kind a tree has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NodeCounts {
+    /// Split nodes.
+    pub splits: usize,
+    /// Carve nodes of one axis.
+    pub single_carves: usize,
+    /// Carve nodes of two axes.
+    pub dual_carves: usize,
+    /// Leaves of one word.
+    pub bare_leaves: usize,
+    /// Leaves that a carve node holds.
+    pub carved_leaves: usize,
+}
+
+impl NodeCounts {
+    /// Carve nodes of either kind.
+    #[must_use]
+    pub fn carves(&self) -> usize {
+        self.single_carves + self.dual_carves
+    }
+
+    /// Nodes of all kinds, bare leaves included.
+    #[must_use]
+    pub fn nodes(&self) -> usize {
+        self.splits + self.carves() + self.bare_leaves
+    }
+}
+
+impl Dst {
+    /// A tree of these `words`, not yet validated.
+    fn new(root_box: Aabb, words: Vec<u32>, triangles: Arc<[Triangle]>) -> Self {
+        let mut memory = words;
+        memory.extend([0; PADDING]);
+        Self { root_box, memory, triangles }
+    }
+
+    /// Headers and planes (see [`header`]); the root is at offset 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn words(&self) -> &[u32] {
+        &self.memory[..self.memory.len() - PADDING]
+    }
+
+    /// Three words from `offset`; those after a bare leaf are not part of it.
+    ///
+    /// # Panics
+    /// If `offset` is not below the number of words.
+    #[inline(always)]
+    #[must_use]
+    pub fn node(&self, offset: u32) -> [u32; NODE_WORDS as usize] {
+        let offset = offset as usize;
+        self.memory[offset..offset + NODE_WORDS as usize].try_into().expect("three words")
+    }
+
+    /// Bytes of the nodes, without the triangles.
+    #[must_use]
+    pub fn node_bytes(&self) -> usize {
+        size_of_val(self.words())
+    }
+
+    /// Counts the nodes of each kind; every record is read once in the order of memory.
+    #[must_use]
+    pub fn node_counts(&self) -> NodeCounts {
+        let mut counts = NodeCounts::default();
+        let mut at = 0;
+        while at < self.words().len() {
+            let leaf = match Header::decode(self.words()[at]) {
+                Some(Header::Split { .. }) | None => {
+                    counts.splits += 1;
+                    false
+                }
+                Some(Header::CarveSingle { leaf, .. }) => {
+                    counts.single_carves += 1;
+                    leaf
+                }
+                Some(Header::CarveDual { leaf, .. }) => {
+                    counts.dual_carves += 1;
+                    leaf
+                }
+                Some(Header::Leaf { .. }) => {
+                    counts.bare_leaves += 1;
+                    at += 1;
+                    continue;
+                }
+            };
+            counts.carved_leaves += usize::from(leaf);
+            at += NODE_WORDS as usize;
+        }
+        counts
+    }
+}

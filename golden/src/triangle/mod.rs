@@ -210,7 +210,8 @@ fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, axis: usize, t_max: f
 /// Clamps `hit.t` to the interval of the triangle's bounding box and tests it against the ray's.
 #[inline(always)]
 fn within_box(ray: &TraversalRay, triangle: &Triangle, hit: TriangleHit, t_max: f32) -> Option<TriangleHit> {
-    let (mut entry, mut exit) = (0.0f32, f32::INFINITY);
+    // Unbounded at first: a distance behind the origin has to stay there, to be rejected by the ray's own bounds.
+    let (mut entry, mut exit) = (f32::NEG_INFINITY, f32::INFINITY);
     for (axis, [a, b, c]) in triangle.rows.iter().enumerate() {
         // Adding +0 turns -0 into +0, as in the planes of every tree.
         let (low, high) = (a.min(*b).min(*c) + 0.0, a.max(*b).max(*c) + 0.0);

@@ -57,13 +57,13 @@ use rust_hdl_core::prelude::Block;
 /// # Errors
 /// Anything that the language or the project's style forbids, with instance path and statement; see
 /// [`ErrorKind`].
-pub fn elaborate(module: &impl Block, name: &str) -> Result<Design, ElaborateError> {
+pub fn elaborate(module: &dyn Block, name: &str) -> Result<Design, ElaborateError> {
     let design = elaborate_unchecked(module, name)?;
     flatten(&design)?;
     Ok(design)
 }
 
-fn elaborate_unchecked(module: &impl Block, name: &str) -> Result<Design, ElaborateError> {
+fn elaborate_unchecked(module: &dyn Block, name: &str) -> Result<Design, ElaborateError> {
     if is_keyword(name) {
         return Err(lower::at_module(name, ErrorKind::Keyword(name.to_owned())));
     }

@@ -219,6 +219,11 @@ impl<'d> Emitter<'d> {
                 let symbol = if op == BinaryOp::SignedLt { "<" } else { "<=" };
                 format!("$signed({}) {symbol} $signed({})", self.operand(a), self.operand(b))
             }
+            // A constant reads better on the right.
+            Op::Binary(op @ (BinaryOp::Lt | BinaryOp::Le), a, b) if graph.constant_value(a).is_some() => {
+                let symbol = if op == BinaryOp::Lt { ">" } else { ">=" };
+                format!("{} {symbol} {}", self.operand(b), self.operand(a))
+            }
             Op::Binary(op, a, b) => format!("{} {} {}", self.operand(a), symbol(op), self.operand(b)),
             Op::Mux { select, when_true, when_false } => format!(
                 "{} ? {} : {}",

@@ -1,6 +1,8 @@
 //! Oracles and operands that the unit tests share.
 #![allow(dead_code)]
 
+pub mod steps;
+
 use golden::fp::operands::{Operands, patterns};
 use golden::fp::{Arithmetic, Format, Rounding, Subnormals};
 use rustc_apfloat::ieee::Single;

@@ -1,0 +1,190 @@
+//! Construction of the binary hierarchy that every structure is converted from.
+//!
+//! ```
+//! use golden::build::{BuildOptions, Quality, build};
+//!
+//! let mesh = scenes::Mesh {
+//!     positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+//!     triangles: vec![[0, 1, 2]],
+//! };
+//! let tree = build(&mesh, &BuildOptions::new(Quality::High))?;
+//! assert_eq!(tree.nodes.len(), 1);
+//! # Ok::<(), golden::build::BuildError>(())
+//! ```
+
+mod binned;
+mod bounds;
+mod collapse;
+mod depth;
+mod reinsertion;
+mod sweep;
+#[cfg(test)]
+mod testing;
+mod tree;
+mod wide;
+mod work;
+
+use rayon::prelude::*;
+use scenes::Mesh;
+
+pub use tree::{BinaryNode, BinaryTree, Content, Node, Tree, TreeDefect};
+pub use wide::{WideTree, collapse_wide};
+
+use bounds::Bounds;
+use reinsertion::Stage;
+use work::{Place, WorkTree};
+
+/// No tree is deeper: at most this many edges from the root to a leaf, whatever the mesh. A traversal that keeps one
+/// entry for each level above the current node needs a stack of this size.
+pub const MAX_DEPTH: u32 = 64;
+
+/// The greatest number of triangles, the reach of the 26-bit offset of a dual-split node.
+pub const MAX_TRIANGLES: usize = 1 << 26;
+
+/// The greatest value of [`BuildOptions::max_leaf_size`].
+pub const MAX_LEAF_SIZE: u32 = 255;
+
+/// How much time is spent on a good tree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quality {
+    /// Binned SAH, reinsertion of the largest nodes.
+    Fast,
+    /// Binned SAH with full sweeps of small ranges, reinsertion of more nodes.
+    Medium,
+    /// Full sweeps, reinsertion of all nodes until it hardly gains.
+    #[default]
+    High,
+}
+
+impl Quality {
+    fn reinsertion_stages(self) -> &'static [Stage] {
+        match self {
+            Self::Fast => &[Stage { share: 0.01, rounds: 2 }],
+            Self::Medium => &[Stage { share: 0.05, rounds: 4 }],
+            Self::High => &[Stage { share: 0.1, rounds: 12 }, Stage { share: 1.0, rounds: 3 }],
+        }
+    }
+}
+
+/// What [`build`] is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BuildOptions {
+    /// Construction time against tree quality.
+    pub quality: Quality,
+    /// The greatest number of triangles in a leaf, 1 to [`MAX_LEAF_SIZE`]. Leaves grow only where that lowers the
+    /// SAH cost.
+    pub max_leaf_size: u32,
+}
+
+impl BuildOptions {
+    /// `quality` with the default leaf size.
+    #[must_use]
+    pub fn new(quality: Quality) -> Self {
+        Self { quality, max_leaf_size: 4 }
+    }
+}
+
+impl Default for BuildOptions {
+    fn default() -> Self {
+        Self::new(Quality::default())
+    }
+}
+
+/// Why there is no tree.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// The mesh has no triangles.
+    #[error("the mesh has no triangles: nothing to build a tree over")]
+    NoTriangles,
+    /// The mesh is too large for the node formats.
+    #[error(
+        "the mesh has {triangles} triangles, more than the {MAX_TRIANGLES} that a tree can address: split it"
+    )]
+    TooManyTriangles {
+        /// Number of triangles in the mesh.
+        triangles: usize,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle}: vertex index {index} is out of range, the mesh has {vertices} vertices")]
+    IndexOutOfRange {
+        /// Index of the triangle.
+        triangle: usize,
+        /// The index that it names.
+        index: u32,
+        /// Number of vertices in the mesh.
+        vertices: usize,
+    },
+    /// A triangle has a corner that is infinite or not a number.
+    #[error("triangle {triangle}: vertex {vertex} is at {position:?}; coordinates must be finite")]
+    NonFiniteVertex {
+        /// Index of the triangle.
+        triangle: usize,
+        /// Index of the vertex.
+        vertex: u32,
+        /// Its position.
+        position: [f32; 3],
+    },
+    /// The leaf size is out of range.
+    #[error("max_leaf_size is {0}, must be 1 to {MAX_LEAF_SIZE}")]
+    LeafSize(u32),
+}
+
+/// Builds a hierarchy over the triangles of `mesh` on the threads of the current `rayon` pool.
+///
+/// The result depends on the mesh and the options only, not on the number of threads nor on the machine. Degenerate
+/// and duplicate triangles are kept. Time is O(n log n) and depth at most [`MAX_DEPTH`] for every input.
+///
+/// # Errors
+/// See [`BuildError`]; of several faulty triangles the first is named.
+pub fn build(mesh: &Mesh, options: &BuildOptions) -> Result<BinaryTree, BuildError> {
+    if !(1..=MAX_LEAF_SIZE).contains(&options.max_leaf_size) {
+        return Err(BuildError::LeafSize(options.max_leaf_size));
+    }
+    let mut boxes = triangle_boxes(mesh)?;
+    let mut tree = WorkTree::with_single_leaves((0..boxes.len() as u32).collect());
+    let centres = binned::centre_bounds(&boxes);
+    let place = Place::root(&mut tree, MAX_DEPTH);
+    let (link, bounds) = match options.quality {
+        Quality::Fast => binned::build::<16>(&mut boxes, centres, place, 32),
+        Quality::Medium => binned::build::<32>(&mut boxes, centres, place, 1024),
+        Quality::High => sweep::build(&boxes, place),
+    };
+    tree.set_link(WorkTree::ROOT, link);
+    tree.set_bounds(WorkTree::ROOT, bounds);
+
+    // Merging before the optimisation halves its work and makes it count what the result will cost.
+    tree = collapse::collapse_leaves(&tree, options.max_leaf_size);
+    let stages = options.quality.reinsertion_stages();
+    reinsertion::optimise(&mut tree, stages);
+    if options.quality == Quality::High {
+        tree = collapse::collapse_leaves(&tree, options.max_leaf_size);
+    }
+    depth::limit_depth(&mut tree, MAX_DEPTH);
+    Ok(tree.to_tree())
+}
+
+fn triangle_boxes(mesh: &Mesh) -> Result<Vec<Bounds>, BuildError> {
+    match mesh.triangles.len() {
+        0 => return Err(BuildError::NoTriangles),
+        triangles if triangles > MAX_TRIANGLES => return Err(BuildError::TooManyTriangles { triangles }),
+        _ => {}
+    }
+    let boxes: Vec<_> = (0..mesh.triangles.len()).into_par_iter().map(|i| triangle_box(mesh, i)).collect();
+    // Collected before the errors are looked for, so that the first is found whatever the order of the tasks.
+    boxes.into_iter().collect()
+}
+
+fn triangle_box(mesh: &Mesh, triangle: usize) -> Result<Bounds, BuildError> {
+    for index in mesh.triangles[triangle] {
+        match mesh.positions.get(index as usize) {
+            None => {
+                return Err(BuildError::IndexOutOfRange { triangle, index, vertices: mesh.positions.len() });
+            }
+            Some(position) if position.iter().any(|x| !x.is_finite()) => {
+                return Err(BuildError::NonFiniteVertex { triangle, vertex: index, position: *position });
+            }
+            Some(_) => {}
+        }
+    }
+    Ok(Bounds::of_triangle(mesh.corners(triangle)))
+}

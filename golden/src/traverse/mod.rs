@@ -1,0 +1,75 @@
+//! Closest hit and any hit in every structure, with the arithmetic that the hardware has.
+//!
+//! All kernels test the same planes with the same rounding (see [`crate::ray`]) and the same triangle test, so all
+//! structures over one mesh return the same [`Hit`], bit for bit, and so does [`brute_force`]. Of several
+//! hits at one distance, the triangle with the lowest index is returned; a stacked node is therefore discarded
+//! only if it begins beyond the hit, not at it.
+//!
+//! The kernels fold planes with the processor's minimum and maximum, whose results differ from
+//! [`minimum_number`](crate::fp::minimum_number) in the sign of a zero at most: `t_min` is never NaN nor -0, and
+//! comparisons do not see the sign of `t_max`. [`leaves`] steps through the specification itself.
+
+mod brute_force;
+mod bvh;
+mod dst;
+mod dst_rows;
+mod dst_steps;
+mod leaves;
+mod observer;
+mod query;
+mod stack;
+
+pub use brute_force::brute_force;
+pub use leaves::{Leaf, Leaves};
+pub use observer::{Counters, NoObserver, Tests, Traversal};
+
+use crate::dst::{Dst, step};
+use crate::ray::{Hit, Mode, Ray, TraversalRay};
+use query::Query;
+
+/// A structure that rays can be traced through.
+pub trait Trace: Sync {
+    /// The nearest hit of a prepared ray, the lowest triangle index first among equals.
+    fn closest_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit>;
+
+    /// Whether anything is hit by a prepared ray.
+    fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> bool;
+
+    /// The nearest hit of `ray`; a ray outside the supported range is a miss (see [`crate::ray`]).
+    #[inline]
+    fn closest(&self, ray: &Ray, mode: Mode) -> Option<Hit> {
+        self.closest_prepared(&TraversalRay::new(ray, mode)?, &mut NoObserver)
+    }
+
+    /// Whether anything lies on `ray`.
+    #[inline]
+    fn occluded(&self, ray: &Ray, mode: Mode) -> bool {
+        TraversalRay::new(ray, mode).is_some_and(|ray| self.occluded_prepared(&ray, &mut NoObserver))
+    }
+}
+
+impl Trace for Dst {
+    #[inline]
+    fn closest_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit> {
+        let mut query = Query::<false>::new(ray, &self.triangles);
+        if O::ACTIVE {
+            dst_steps::traverse(self, &mut query, observer, step);
+        } else {
+            dst::traverse(self, &mut query);
+        }
+        query.hit()
+    }
+
+    #[inline]
+    fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
+        let mut query = Query::<true>::new(ray, &self.triangles);
+        if O::ACTIVE {
+            dst_steps::traverse(self, &mut query, observer, step)
+        } else {
+            dst::traverse(self, &mut query)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

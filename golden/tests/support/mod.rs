@@ -1,0 +1,57 @@
+//! Meshes for tests, benchmarks and examples.
+#![allow(dead_code, reason = "each user needs a part")]
+
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
+
+use liblzma::read::XzDecoder;
+use scenes::Mesh;
+
+/// The real scenes that `DUALSPLIT_DATA` holds, by number of triangles.
+pub const SHARED_SCENES: [&str; 5] = ["bunny", "sibenik", "sanmiguel_leaves", "crytek_sponza", "dragon"];
+
+/// A shared scene, or `None` if `DUALSPLIT_DATA` is unset.
+pub fn shared_scene(name: &str) -> Option<Mesh> {
+    let folder = PathBuf::from(std::env::var_os("DUALSPLIT_DATA")?);
+    let file = File::open(folder.join("scenes").join(format!("{name}.obj.xz"))).expect("the scene exists");
+    Some(load(&mut BufReader::new(XzDecoder::new(file))))
+}
+
+fn load(reader: &mut impl BufRead) -> Mesh {
+    let options = tobj::LoadOptions { triangulate: true, single_index: true, ..Default::default() };
+    let (models, _) =
+        tobj::load_obj_buf(reader, &options, |_| Ok(Default::default())).expect("a valid OBJ file");
+    let mut mesh = Mesh::default();
+    for model in models {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend(model.mesh.positions.as_chunks::<3>().0);
+        mesh.triangles.extend(model.mesh.indices.as_chunks::<3>().0.iter().map(|t| t.map(|i| i + first)));
+    }
+    mesh
+}
+
+/// A triangle soup from corners.
+pub fn soup(triangles: impl IntoIterator<Item = [[f32; 3]; 3]>) -> Mesh {
+    let positions: Vec<_> = triangles.into_iter().flatten().collect();
+    let triangles = (0..positions.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Mesh { positions, triangles }
+}
+
+/// Small triangles at pseudo-random places, half of them stretched along an axis.
+pub fn random_soup(triangles: usize, seed: u64) -> Mesh {
+    let mut state = seed;
+    // Numerical Recipes' 64-bit linear congruential generator; the upper bits are good enough for geometry.
+    let mut next = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f32 / (1 << 24) as f32
+    };
+    soup((0..triangles).map(|i| {
+        let origin: [f32; 3] = std::array::from_fn(|_| next());
+        let mut size = [0.02; 3];
+        if i % 2 == 0 {
+            size[i % 3] = next();
+        }
+        std::array::from_fn(|_| std::array::from_fn(|axis| origin[axis] + size[axis] * next()))
+    }))
+}
