@@ -49,6 +49,8 @@ struct Emitter<'d> {
     uses: Vec<u32>,
     /// Whether bits of the node are selected, which Verilog allows for names only.
     is_selected: Vec<bool>,
+    /// Whether the node is the whole of an output or a register's next value.
+    is_assigned: Vec<bool>,
     /// Bits of each identifier that something reads, and its width.
     read: BTreeMap<String, (u128, u32)>,
     register_names: Vec<String>,
@@ -69,6 +71,9 @@ impl<'d> Emitter<'d> {
                 is_selected[of.index()] = true;
             }
         }
+        let mut is_assigned = vec![false; uses.len()];
+        module.outputs.iter().for_each(|(_, node)| is_assigned[node.index()] = true);
+        module.registers.iter().for_each(|register| is_assigned[register.data.index()] = true);
         Self {
             design,
             module,
@@ -77,6 +82,7 @@ impl<'d> Emitter<'d> {
             names: BTreeMap::new(),
             uses,
             is_selected,
+            is_assigned,
             read: BTreeMap::new(),
             register_names: Vec::new(),
             instance_names: Vec::new(),
@@ -124,9 +130,25 @@ impl<'d> Emitter<'d> {
         (self.instance_names[instance as usize].clone(), ports.outputs[output as usize].clone())
     }
 
+    /// Names for nodes that the source does not name, after what reads them.
+    fn hints(&self) -> BTreeMap<NodeId, String> {
+        let mut hints = BTreeMap::new();
+        for (register, name) in self.module.registers.iter().zip(&self.register_names) {
+            hints.insert(register.data, format!("{name}_next"));
+        }
+        for (instance, name) in self.module.instances.iter().zip(&self.instance_names) {
+            let child = port_names(self.design.module(instance.module), &mut Namespace::default());
+            for (&node, port) in instance.inputs.iter().zip(child.inputs) {
+                hints.entry(node).or_insert_with(|| format!("{name}_{port}"));
+            }
+        }
+        hints
+    }
+
     /// Writes a wire for each node that needs one, operands first.
     fn logic(&mut self) {
         let module = self.module;
+        let hints = self.hints();
         for (id, node) in module.graph.iter() {
             if node.op.is_source() {
                 continue;
@@ -135,7 +157,10 @@ impl<'d> Emitter<'d> {
                 if !self.needs_wire(id) {
                     continue;
                 }
-                let name = self.namespace.claim(&format!("n{}", id.index()));
+                let name = match hints.get(&id) {
+                    Some(hint) => self.namespace.claim(hint),
+                    None => self.namespace.claim(&format!("n{}", id.index())),
+                };
                 self.read.insert(name.clone(), (0, node.width));
                 self.names.insert(id, name);
             }
@@ -151,7 +176,7 @@ impl<'d> Emitter<'d> {
         let is_wiring = matches!(self.module.graph.op(id), Op::Slice { .. });
         (self.uses[id.index()] > 1 && !is_wiring)
             || self.is_selected[id.index()]
-            || self.length(id) > INLINE_LIMIT
+            || (self.length(id) > INLINE_LIMIT && !self.is_assigned[id.index()])
     }
 
     /// About how long a node is when written in place.
@@ -201,11 +226,12 @@ impl<'d> Emitter<'d> {
                     UnaryOp::ReduceOr => "|",
                     UnaryOp::ReduceXor => "^",
                 };
-                let text = format!("{symbol}{}", self.operand(a));
+                let operand = self.operand(a);
                 if op == UnaryOp::Not {
-                    return text;
+                    return format!("~{operand}");
                 }
-                text
+                // `|~x` is no reduction of an inversion to every parser.
+                if operand.starts_with('~') { format!("{symbol}({operand})") } else { format!("{symbol}{operand}") }
             }
             Op::Binary(BinaryOp::Mul, a, b) => {
                 let pad = node.width - graph.width(a);

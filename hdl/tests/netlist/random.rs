@@ -224,7 +224,8 @@ fn verilog_of_random_designs_simulates_like_the_interpreter() {
         for file in package(&design, &options, &stimulus).unwrap() {
             std::fs::write(folder.path().join(file.name), file.contents).unwrap();
         }
-        run(folder.path(), "iverilog", &["-g2005", "-o", "simulation", "random_tb.v", "random.v"]).unwrap();
+        run(folder.path(), "iverilog", &["-g2005", "-o", "simulation", "random_tb.v", "random.v"])
+            .unwrap_or_else(|error| panic!("seed {seed}: {error}\n{}", hdl::verilog::text(&design)));
         let printed = run(folder.path(), "vvp", &["-n", "simulation"]).unwrap();
         assert!(printed.contains("PASS: random, 200 vectors"), "seed {seed}: {printed}");
         if seed < 10 && available("verilator") {
