@@ -29,6 +29,7 @@
 //!   could wake each other for ever.
 
 pub mod blocks;
+pub mod catalogue;
 pub mod clocking;
 pub mod formats;
 pub mod inventory;
