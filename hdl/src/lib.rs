@@ -31,7 +31,6 @@
 pub mod blocks;
 pub mod clocking;
 pub mod formats;
-pub mod inventory;
 pub mod module;
 pub mod netlist;
 pub mod pipelines;
