@@ -32,7 +32,6 @@ pub mod blocks;
 pub mod catalogue;
 pub mod clocking;
 pub mod formats;
-pub mod inventory;
 pub mod module;
 pub mod netlist;
 pub mod pipelines;

@@ -35,12 +35,12 @@ fn rays(scene: &Scene) -> Vec<TraversalRay> {
     let draw = |i: usize| {
         let target = positions[stream.bits() as usize % positions.len()];
         let mut origin = scene.camera.eye;
-        if i % 3 == 0 {
+        if i.is_multiple_of(3) {
             origin = target;
             origin[i % 9 / 3] -= 1.0;
         }
         let direction = std::array::from_fn(|axis| target[axis] - origin[axis]);
-        let mode = if i % 2 == 0 { Mode::Robust } else { Mode::Fast };
+        let mode = if i.is_multiple_of(2) { Mode::Robust } else { Mode::Fast };
         TraversalRay::new(&Ray::new(origin, direction), mode).expect("a valid ray")
     };
     (0..RAYS).map(draw).collect()
