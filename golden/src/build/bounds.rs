@@ -4,8 +4,8 @@ use glam::Vec3A;
 
 use crate::aabb::{Aabb, positive_zero};
 
-/// An [`Aabb`] in two 4-lane registers. Planes are never NaN nor -0.0, so that minimum and maximum are exact and
-/// independent of the order of their operands.
+/// An [`Aabb`] in two 4-lane registers. Planes are never NaN nor -0.0, so that minimum and maximum are exact
+/// and independent of the order of their operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
     pub(super) min: Vec3A,
