@@ -47,7 +47,9 @@ impl Bounds {
     #[inline(always)]
     pub(super) fn scaled_half_area(self, scale: Vec3A) -> f32 {
         let extent = (self.max - self.min) * scale;
-        extent.dot(Vec3A::new(extent.y, extent.z, extent.x))
+        // Not a dot product: its order of additions is the platform's.
+        let [x, y, z] = (extent * Vec3A::new(extent.y, extent.z, extent.x)).to_array();
+        x + y + z
     }
 }
 
