@@ -5,6 +5,8 @@ pub mod bvh;
 pub mod dst;
 pub mod fp;
 pub mod ray;
+pub mod ray_file;
+pub mod render;
 mod simd;
 pub mod structure;
 pub mod traverse;
