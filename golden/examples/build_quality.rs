@@ -67,6 +67,7 @@ fn compare(name: &str, mesh: &Mesh, leaf: u32) {
         let tree = build(mesh, &BuildOptions { max_leaf_size: leaf, ..BuildOptions::new(quality) })
             .expect("the scene is valid");
         let ms = start.elapsed().as_secs_f64() * 1e3;
+        tree.validate(mesh).expect("a hierarchy");
         let cost = tree.sah_cost();
         println!(
             "| {name} | {leaf} | {quality:?} | {cost:.3} | {:.4} | {} | {:.3} | {ms:.0} |",

@@ -27,6 +27,15 @@ mod lanes {
             unsafe { Self(_mm_loadu_ps(x.as_ptr())) }
         }
         #[inline(always)]
+        pub fn pairs(low: [f32; 2], high: [f32; 2]) -> Self {
+            let pair = |x: [f32; 2]| i64::from(x[0].to_bits()) | i64::from(x[1].to_bits()) << 32;
+            unsafe { Self(_mm_castsi128_ps(_mm_set_epi64x(pair(high), pair(low)))) }
+        }
+        #[inline(always)]
+        pub fn xxyy(x: f32, y: f32) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<0>(_mm_set_ss(x), _mm_set_ss(y))) }
+        }
+        #[inline(always)]
         pub fn to_array(self) -> [f32; 4] {
             let mut x = [0.0; 4];
             unsafe { _mm_storeu_ps(x.as_mut_ptr(), self.0) };
@@ -81,6 +90,21 @@ mod lanes {
             unsafe { Self(_mm_shuffle_ps::<0b00_11_10_01>(self.0, self.0)) }
         }
         #[inline(always)]
+        pub fn yxwz(self) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<0b10_11_00_01>(self.0, self.0)) }
+        }
+        #[inline(always)]
+        pub fn or(self, mask: Self) -> Self {
+            unsafe { Self(_mm_or_ps(self.0, mask.0)) }
+        }
+        #[inline(always)]
+        pub fn or_not(self, mask: Self) -> Self {
+            unsafe {
+                let ones = _mm_castsi128_ps(_mm_set1_epi32(-1));
+                Self(_mm_or_ps(self.0, _mm_xor_ps(mask.0, ones)))
+            }
+        }
+        #[inline(always)]
         pub fn interleave_low(self, b: Self) -> Self {
             unsafe { Self(_mm_unpacklo_ps(self.0, b.0)) }
         }
@@ -126,6 +150,14 @@ mod lanes {
         #[inline(always)]
         pub fn load(x: &[f32; 4]) -> Self {
             Self(*x)
+        }
+        #[inline(always)]
+        pub fn pairs([x, y]: [f32; 2], [z, w]: [f32; 2]) -> Self {
+            Self([x, y, z, w])
+        }
+        #[inline(always)]
+        pub fn xxyy(x: f32, y: f32) -> Self {
+            Self([x, x, y, y])
         }
         #[inline(always)]
         pub fn to_array(self) -> [f32; 4] {
@@ -182,6 +214,19 @@ mod lanes {
         pub fn yzwx(self) -> Self {
             let [x, y, z, w] = self.0;
             Self([y, z, w, x])
+        }
+        #[inline(always)]
+        pub fn yxwz(self) -> Self {
+            let [x, y, z, w] = self.0;
+            Self([y, x, w, z])
+        }
+        #[inline(always)]
+        pub fn or(self, mask: Self) -> Self {
+            Self(from_fn(|i| f32::from_bits(self.0[i].to_bits() | mask.0[i].to_bits())))
+        }
+        #[inline(always)]
+        pub fn or_not(self, mask: Self) -> Self {
+            Self(from_fn(|i| f32::from_bits(self.0[i].to_bits() | !mask.0[i].to_bits())))
         }
         #[inline(always)]
         pub fn interleave_low(self, b: Self) -> Self {

@@ -73,3 +73,41 @@ pub(super) fn collapse_leaves(tree: &WorkTree, max_leaf_size: u32) -> WorkTree {
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::build::testing::{random_tree, triangles};
+
+    /// The cost in area, and the triangles, of every way to merge leaves below `slot`.
+    fn all_costs(tree: &WorkTree, slot: u32, max_leaf_size: usize) -> (Vec<f64>, usize) {
+        let area = tree.bounds(slot).half_area();
+        let Some(pair) = tree.link(slot).children() else { return (vec![area], 1) };
+        let (left, left_count) = all_costs(tree, 2 * pair, max_leaf_size);
+        let (right, right_count) = all_costs(tree, 2 * pair + 1, max_leaf_size);
+        let count = left_count + right_count;
+        let mut costs: Vec<f64> = left.iter().flat_map(|l| right.iter().map(move |r| area + l + r)).collect();
+        if count <= max_leaf_size {
+            costs.push(area * count as f64);
+        }
+        (costs, count)
+    }
+
+    proptest! {
+        #[test]
+        fn cost_is_the_least_of_all_collapses((mesh, splits) in triangles(1..9), max_leaf_size in 1_u32..6) {
+            let tree = random_tree(&mesh, &splits);
+            let collapsed = collapse_leaves(&tree, max_leaf_size).to_tree();
+            collapsed.validate(&mesh).expect("a hierarchy");
+            let (costs, _) = all_costs(&tree, WorkTree::ROOT, max_leaf_size as usize);
+            let least = costs.into_iter().fold(f64::INFINITY, f64::min);
+            let root_area = tree.bounds(WorkTree::ROOT).half_area();
+            prop_assume!(root_area > 0.0);
+            prop_assert!((collapsed.sah_cost() * root_area - least).abs() <= 1e-12 * least);
+            let largest = collapsed.nodes.iter().map(|node| collapsed.triangles(node).len()).max();
+            prop_assert!(largest <= Some(max_leaf_size as usize));
+        }
+    }
+}

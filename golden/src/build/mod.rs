@@ -15,16 +15,23 @@
 mod binned;
 mod bounds;
 mod collapse;
+mod depth;
+mod reinsertion;
 mod sweep;
+#[cfg(test)]
+mod testing;
 mod tree;
+mod wide;
 mod work;
 
 use rayon::prelude::*;
 use scenes::Mesh;
 
 pub use tree::{BinaryNode, BinaryTree, Content, Node, Tree, TreeDefect};
+pub use wide::{WideTree, collapse_wide};
 
 use bounds::Bounds;
+use reinsertion::Stage;
 use work::{Place, WorkTree};
 
 /// No tree is deeper: at most this many edges from the root to a leaf, whatever the mesh. A traversal that keeps one
@@ -40,13 +47,23 @@ pub const MAX_LEAF_SIZE: u32 = 255;
 /// How much time is spent on a good tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
-    /// Binned SAH.
+    /// Binned SAH, reinsertion of the largest nodes.
     Fast,
-    /// Binned SAH, full sweeps of small ranges, some reinsertion.
+    /// Binned SAH with full sweeps of small ranges, reinsertion of more nodes.
     Medium,
-    /// Full sweeps, reinsertion until it hardly gains.
+    /// Full sweeps, reinsertion of all nodes until it hardly gains.
     #[default]
     High,
+}
+
+impl Quality {
+    fn reinsertion_stages(self) -> &'static [Stage] {
+        match self {
+            Self::Fast => &[Stage { share: 0.01, rounds: 2 }],
+            Self::Medium => &[Stage { share: 0.05, rounds: 4 }],
+            Self::High => &[Stage { share: 0.1, rounds: 12 }, Stage { share: 1.0, rounds: 3 }],
+        }
+    }
 }
 
 /// What [`build`] is asked for.
@@ -134,7 +151,16 @@ pub fn build(mesh: &Mesh, options: &BuildOptions) -> Result<BinaryTree, BuildErr
     };
     tree.set_link(WorkTree::ROOT, link);
     tree.set_bounds(WorkTree::ROOT, bounds);
-    Ok(collapse::collapse_leaves(&tree, options.max_leaf_size).to_tree())
+
+    // Merging before the optimisation halves its work and makes it count what the result will cost.
+    tree = collapse::collapse_leaves(&tree, options.max_leaf_size);
+    let stages = options.quality.reinsertion_stages();
+    reinsertion::optimise(&mut tree, stages);
+    if options.quality == Quality::High {
+        tree = collapse::collapse_leaves(&tree, options.max_leaf_size);
+    }
+    depth::limit_depth(&mut tree, MAX_DEPTH);
+    Ok(tree.to_tree())
 }
 
 fn triangle_boxes(mesh: &Mesh) -> Result<Vec<Bounds>, BuildError> {

@@ -150,12 +150,13 @@ impl<const WIDTH: usize> Tree<WIDTH> {
             Content::Inner { .. } => 1.0,
             Content::Leaf { primitive_count, .. } => f64::from(primitive_count),
         };
-        let root_area = self.nodes[0].aabb.half_area();
-        if root_area > 0.0 {
-            self.nodes.iter().map(|node| weight(node) * node.aabb.half_area()).sum::<f64>() / root_area
-        } else {
-            self.nodes.iter().map(weight).sum()
-        }
+        let sum: f64 = self.nodes.iter().map(|node| weight(node) * self.area_weight(node)).sum();
+        sum / self.area_weight(&self.nodes[0])
+    }
+
+    /// The measure of `node` in the cost: its half area, or 1 if the root has none.
+    pub(super) fn area_weight(&self, node: &Node) -> f64 {
+        if self.nodes[0].aabb.half_area() > 0.0 { node.aabb.half_area() } else { 1.0 }
     }
 
     /// Proves that this is a hierarchy over `mesh`: every triangle in exactly one leaf, every box exact, every

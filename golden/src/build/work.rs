@@ -96,6 +96,27 @@ impl WorkTree {
         self.parents[(slot >> 1) as usize]
     }
 
+    /// Recomputes the box of an inner node from its children.
+    pub(super) fn refit(&mut self, slot: u32) {
+        let pair = self.link(slot).children().expect("an inner node");
+        let [left, right] = self.bounds[pair as usize].0;
+        self.set_bounds(slot, left.union(right));
+    }
+
+    /// The sum of the half areas of all inner nodes.
+    pub(super) fn inner_area(&self) -> f64 {
+        let area = |(bounds, links): (&BoundsPair, &[Link; 2])| -> f64 {
+            bounds
+                .0
+                .iter()
+                .zip(links)
+                .filter(|(_, link)| link.children().is_some())
+                .map(|(bounds, _)| bounds.half_area())
+                .sum()
+        };
+        self.bounds.iter().zip(&self.links).map(area).sum()
+    }
+
     /// The primitives of a leaf.
     pub(super) fn leaf_primitives(&self, leaf: u32) -> &[u32] {
         let leaf = leaf as usize;
@@ -170,11 +191,6 @@ pub(super) struct PairsMut<'a> {
 }
 
 impl<'a> PairsMut<'a> {
-    /// Number of the first pair.
-    pub(super) fn first(&self) -> u32 {
-        self.first
-    }
-
     fn split_at(self, count: usize) -> [Self; 2] {
         let (bounds, bounds_rest) = self.bounds.split_at_mut(count);
         let (links, links_rest) = self.links.split_at_mut(count);

@@ -72,9 +72,9 @@ impl<const N: usize> Bvh<N> {
     pub fn encode(tree: &Tree<N>, triangles: Arc<[Triangle]>) -> Self {
         // Without the root, every node moves up by one.
         let word = |content: Content, siblings: u32| match content {
-            Content::Inner { first_child, .. } => siblings - 1 << SIBLINGS.low | (first_child - 1),
+            Content::Inner { first_child, .. } => (siblings - 1) << SIBLINGS.low | (first_child - 1),
             Content::Leaf { first_primitive, .. } => {
-                1 << LEAF.low | siblings - 1 << SIBLINGS.low | first_primitive
+                1 << LEAF.low | (siblings - 1) << SIBLINGS.low | first_primitive
             }
         };
         let mut siblings = vec![1; tree.nodes.len()];

@@ -51,7 +51,7 @@ impl Dst {
         let record = Record { chain: None, region: root.aabb, node: 0 };
         let at = writer.reserve(&record);
         writer.write(record, at)?;
-        Ok(Dst { root_box: root.aabb, words: writer.words, triangles })
+        Ok(Dst::new(root.aabb, writer.words, triangles))
     }
 }
 

@@ -11,16 +11,19 @@ pub use validate::{DstDefect, End, Record};
 
 use crate::Aabb;
 use crate::triangle::Triangle;
-use header::{Header, NODE_WORDS};
+use header::{Header, LEAF_WORDS, NODE_WORDS};
 use std::sync::Arc;
+
+/// Words behind the tree, so that a bare leaf at its end can be read like a node.
+const PADDING: usize = (NODE_WORDS - LEAF_WORDS) as usize;
 
 /// A dual-split tree in its memory format.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dst {
     /// The box of everything; not stored in the tree.
     pub root_box: Aabb,
-    /// Headers and planes (see [`header`]); the root is at offset 0.
-    pub words: Vec<u32>,
+    /// Headers and planes (see [`header`]), the root at offset 0; then [`PADDING`] words of zero.
+    memory: Vec<u32>,
     /// The leaves' triangles.
     pub triangles: Arc<[Triangle]>,
 }
@@ -69,21 +72,35 @@ impl NodeCounts {
 }
 
 impl Dst {
-    /// The node at `offset`; where fewer words follow (a bare leaf at the end), the missing ones are zero.
+    /// A tree of these `words`, not yet validated.
+    fn new(root_box: Aabb, words: Vec<u32>, triangles: Arc<[Triangle]>) -> Self {
+        let mut memory = words;
+        memory.extend([0; PADDING]);
+        Self { root_box, memory, triangles }
+    }
+
+    /// Headers and planes (see [`header`]); the root is at offset 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn words(&self) -> &[u32] {
+        &self.memory[..self.memory.len() - PADDING]
+    }
+
+    /// Three words from `offset`; those after a bare leaf are not part of it.
+    ///
+    /// # Panics
+    /// If `offset` is not below the number of words.
     #[inline(always)]
     #[must_use]
     pub fn node(&self, offset: u32) -> [u32; NODE_WORDS as usize] {
         let offset = offset as usize;
-        match self.words.get(offset..offset + NODE_WORDS as usize) {
-            Some(words) => words.try_into().expect("three words"),
-            None => [self.words[offset], 0, 0],
-        }
+        self.memory[offset..offset + NODE_WORDS as usize].try_into().expect("three words")
     }
 
     /// Bytes of the nodes, without the triangles.
     #[must_use]
     pub fn node_bytes(&self) -> usize {
-        size_of_val(self.words.as_slice())
+        size_of_val(self.words())
     }
 
     /// Counts the nodes of each kind; every record is read once in the order of memory.
@@ -91,8 +108,8 @@ impl Dst {
     pub fn node_counts(&self) -> NodeCounts {
         let mut counts = NodeCounts::default();
         let mut at = 0;
-        while at < self.words.len() {
-            let leaf = match Header::decode(self.words[at]) {
+        while at < self.words().len() {
+            let leaf = match Header::decode(self.words()[at]) {
                 Some(Header::Split { .. }) | None => {
                     counts.splits += 1;
                     false

@@ -97,10 +97,10 @@ impl Dst {
                 _ => return Err(DstDefect::Node { offset: record.offset }),
             }
         }
-        if reached == self.words.len() {
+        if reached == self.words().len() {
             Ok(())
         } else {
-            Err(DstDefect::Coverage { reached, words: self.words.len() })
+            Err(DstDefect::Coverage { reached, words: self.words().len() })
         }
     }
 
@@ -121,18 +121,18 @@ impl Dst {
         let mut offset = start;
         loop {
             let out_of_range = DstDefect::OutOfRange { offset };
-            let word = *self.words.get(offset as usize).ok_or(out_of_range.clone())?;
+            let word = *self.words().get(offset as usize).ok_or(out_of_range.clone())?;
             let header = Header::decode(word).ok_or(DstDefect::Header { offset, word })?;
             if let Header::Leaf { first_triangle } = header {
                 record.words += LEAF_WORDS as usize;
                 record.end = End::Leaf { first_triangle };
                 return Ok(record);
             }
-            if offset as usize + NODE_WORDS as usize > self.words.len() {
+            if offset as usize + NODE_WORDS as usize > self.words().len() {
                 return Err(out_of_range);
             }
             record.words += NODE_WORDS as usize;
-            let planes = [1, 2].map(|i| f32::from_bits(self.words[offset as usize + i]));
+            let planes = [1, 2].map(|i| f32::from_bits(self.words()[offset as usize + i]));
             let before = record.region;
             let (leaf, child) = match header {
                 Header::Split { axis, left_words, offset: left } => {

@@ -12,6 +12,8 @@
 mod brute_force;
 mod bvh;
 mod dst;
+mod dst_rows;
+mod dst_steps;
 mod leaves;
 mod observer;
 mod query;
@@ -21,7 +23,9 @@ pub use brute_force::brute_force;
 pub use leaves::{Leaf, Leaves};
 pub use observer::{Counters, NoObserver, Tests, Traversal};
 
+use crate::dst::{Dst, step};
 use crate::ray::{Hit, Mode, Ray, TraversalRay};
+use query::Query;
 
 /// A structure that rays can be traced through.
 pub trait Trace: Sync {
@@ -41,6 +45,29 @@ pub trait Trace: Sync {
     #[inline]
     fn occluded(&self, ray: &Ray, mode: Mode) -> bool {
         TraversalRay::new(ray, mode).is_some_and(|ray| self.occluded_prepared(&ray, &mut NoObserver))
+    }
+}
+
+impl Trace for Dst {
+    #[inline]
+    fn closest_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit> {
+        let mut query = Query::<false>::new(ray, &self.triangles);
+        if O::ACTIVE {
+            dst_steps::traverse(self, &mut query, observer, step);
+        } else {
+            dst::traverse(self, &mut query);
+        }
+        query.hit()
+    }
+
+    #[inline]
+    fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
+        let mut query = Query::<true>::new(ray, &self.triangles);
+        if O::ACTIVE {
+            dst_steps::traverse(self, &mut query, observer, step)
+        } else {
+            dst::traverse(self, &mut query)
+        }
     }
 }
 

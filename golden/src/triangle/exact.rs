@@ -30,11 +30,11 @@ fn filtered(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> Opti
     let d = direction.map(f64::from);
     let edges = [(c, b), (a, c), (b, a)].map(|(p, q)| {
         let (mut sum, mut permanent) = (0.0, 0.0);
-        for k in 0..3 {
+        for (k, component) in d.iter().enumerate() {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
             let (plus, minus) = (p[i] * q[j], p[j] * q[i]);
-            sum += d[k] * (plus - minus);
-            permanent += d[k].abs() * (plus.abs() + minus.abs());
+            sum += component * (plus - minus);
+            permanent += component.abs() * (plus.abs() + minus.abs());
         }
         (sum, permanent * BOUND)
     });

@@ -37,3 +37,21 @@ pub fn soup(triangles: impl IntoIterator<Item = [[f32; 3]; 3]>) -> Mesh {
     let triangles = (0..positions.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     Mesh { positions, triangles }
 }
+
+/// Small triangles at pseudo-random places, half of them stretched along an axis.
+pub fn random_soup(triangles: usize, seed: u64) -> Mesh {
+    let mut state = seed;
+    // Numerical Recipes' 64-bit linear congruential generator; the upper bits are good enough for geometry.
+    let mut next = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f32 / (1 << 24) as f32
+    };
+    soup((0..triangles).map(|i| {
+        let origin: [f32; 3] = std::array::from_fn(|_| next());
+        let mut size = [0.02; 3];
+        if i % 2 == 0 {
+            size[i % 3] = next();
+        }
+        std::array::from_fn(|_| std::array::from_fn(|axis| origin[axis] + size[axis] * next()))
+    }))
+}
