@@ -3,20 +3,20 @@
 //!
 //! `DUALSPLIT_DATA=... cargo run --release -p golden --example trace_speed [-- SCENE...]`
 
-#[path = "../tests/support/mod.rs"]
-mod support;
 #[path = "../tests/support/rays.rs"]
 mod rays;
+#[path = "../tests/support/mod.rs"]
+mod support;
 
 use golden::build::{BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::traverse::Trace;
 use golden::{Mode, Ray};
+use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::ray::RayHit;
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
-use obvhs::BvhBuildParams;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -58,7 +58,8 @@ fn compare(name: &str, mesh: &scenes::Mesh) {
     };
 
     let leaf = std::env::var("LEAF").map_or(4, |l| l.parse().expect("a number"));
-    let tree = build(mesh, &BuildOptions { quality: Quality::High, max_leaf_size: leaf }).expect("a valid mesh");
+    let tree =
+        build(mesh, &BuildOptions { quality: Quality::High, max_leaf_size: leaf }).expect("a valid mesh");
     let packed = pack_triangles(mesh, &tree);
     let ours: Vec<_> =
         StructureKind::ALL.map(|k| Structure::convert(k, &tree, &packed).expect("a small scene")).into();
@@ -72,8 +73,16 @@ fn compare(name: &str, mesh: &scenes::Mesh) {
                 let mode = if i % 2 == 1 { Mode::Fast } else { Mode::Robust };
                 let trace = &ours[(i - 1) / 2];
                 match trace {
-                    Structure::Bvh2(s) => for ray in rays { black_box(s.closest(ray, mode)); },
-                    Structure::Dst(s) => for ray in rays { black_box(s.closest(ray, mode)); },
+                    Structure::Bvh2(s) => {
+                        for ray in rays {
+                            black_box(s.closest(ray, mode));
+                        }
+                    }
+                    Structure::Dst(s) => {
+                        for ray in rays {
+                            black_box(s.closest(ray, mode));
+                        }
+                    }
                 }
             }
         };

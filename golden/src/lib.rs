@@ -8,6 +8,7 @@ pub mod ray;
 pub mod ray_file;
 pub mod render;
 mod simd;
+pub mod stats;
 pub mod structure;
 pub mod traverse;
 pub mod triangle;
