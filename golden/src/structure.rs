@@ -17,9 +17,9 @@ use std::sync::Arc;
 pub enum StructureKind {
     /// Binary hierarchy of boxes.
     Bvh2,
-    /// Hierarchy with up to four boxes to a node.
+    /// Hierarchy of up to four boxes to a node.
     Bvh4,
-    /// Hierarchy with up to eight boxes to a node.
+    /// Hierarchy of up to eight boxes to a node.
     Bvh8,
     /// Dual-split tree.
     Dst,
@@ -65,9 +65,9 @@ impl FromStr for StructureKind {
 pub enum Structure {
     /// Binary hierarchy of boxes.
     Bvh2(Bvh2),
-    /// Hierarchy with up to four boxes to a node.
+    /// Hierarchy of up to four boxes to a node.
     Bvh4(Bvh4),
-    /// Hierarchy with up to eight boxes to a node.
+    /// Hierarchy of up to eight boxes to a node.
     Bvh8(Bvh8),
     /// Dual-split tree.
     Dst(Dst),

@@ -12,6 +12,13 @@
 //! interval does not depend on the order in which planes are folded into it. Names and semantics are those of
 //! IEEE 754-2019, section 9.6. Subnormals are kept; rounding is to nearest even unless a function says otherwise.
 
+pub mod format;
+pub mod operands;
+pub mod soft;
+
+pub use format::{Format, FormatError};
+pub use soft::{Arithmetic, Comparison, NanMode, Rounding, Subnormals};
+
 /// The bits of the only NaN that any operation produces: quiet, positive, empty payload (RISC-V's choice).
 pub const CANONICAL_NAN: u32 = 0x7fc0_0000;
 

@@ -88,8 +88,8 @@ fn arcade(b: &mut MeshBuilder, storey: usize, side: &Side) {
         }
         for x in side.bay_centers() {
             b.at(moved(x, 0.0, 0.0), |b| {
-                arch(b, BAY, height, WALL, BAY - 2.0 * radius - 0.3, spring, 44);
-                archivolt(b, (BAY - 2.0 * radius - 0.3) * 0.5, spring);
+                arch(b, BAY, height, WALL, BAY - 2.0 * radius - 0.3, spring, 40);
+                b.optional(|b| archivolt(b, (BAY - 2.0 * radius - 0.3) * 0.5, spring));
                 if storey == 1 {
                     balustrade(b, BAY - 2.0 * radius - 0.1);
                 }
@@ -105,11 +105,11 @@ fn column(b: &mut MeshBuilder, radius: f64, height: f64) {
     let p = |r: f64, y: f64| DVec2::new(r * radius, y);
     let base =
         [p(1.3, 0.22), p(1.34, 0.3), p(1.18, 0.36), p(1.12, 0.42), p(1.2, 0.48), p(1.02, 0.54), p(1.0, 0.6)];
-    lathe(b, &base, true, 30, 9);
+    b.optional(|b| lathe(b, &base, true, 24, 9));
 
     let top = height - 0.75;
-    let columns = b.segments(60, 6);
-    let rows = b.segments(7, 1);
+    let columns = b.segments(54, 5);
+    let rows = b.segments(5, 1);
     b.grid(Grid::closed(columns, rows), |u, v| {
         let (flute, _) = sin_cos(u * TAU * 20.0);
         let taper = 1.0 - 0.14 * v * v;
@@ -118,8 +118,8 @@ fn column(b: &mut MeshBuilder, radius: f64, height: f64) {
         DVec3::new(r * sin, lerp(0.6, top, v), r * cos)
     });
 
-    let leaves = b.segments(40, 6);
-    let rows = b.segments(8, 2);
+    let leaves = b.segments(28, 5);
+    let rows = b.segments(7, 1);
     b.grid(Grid::closed(leaves, rows), |u, v| {
         let (leaf, _) = sin_cos(u * TAU * 8.0);
         let bell = 0.86 + 0.5 * v * v * v + 0.08 * (1.0 + leaf) * v * (1.0 - 0.4 * v);
@@ -133,7 +133,7 @@ fn column(b: &mut MeshBuilder, radius: f64, height: f64) {
 fn archivolt(b: &mut MeshBuilder, radius: f64, spring: f64) {
     const PROFILE: [(f64, f64); 7] =
         [(0.0, 0.0), (0.0, 0.06), (0.07, 0.06), (0.09, 0.1), (0.16, 0.1), (0.2, 0.05), (0.2, 0.0)];
-    let columns = b.segments(32, 6);
+    let columns = b.segments(24, 4);
     b.grid(Grid::open(columns, PROFILE.len() as u32 - 1), |u, v| {
         let (outward, forward) = PROFILE[(v * (PROFILE.len() - 1) as f64 + 0.5) as usize];
         let (sin, cos) = sin_cos(PI * u);
@@ -147,11 +147,10 @@ fn balustrade(b: &mut MeshBuilder, width: f64) {
     let profile = [p(0.075, 0.12), p(0.06, 0.2), p(0.085, 0.34), p(0.07, 0.45), p(0.04, 0.62), p(0.06, 0.8)];
     block_on(b, DVec3::ZERO, DVec3::new(width, 0.12, 0.26), [1, 1, 1]);
     block_on(b, DVec3::new(0.0, 0.8, 0.0), DVec3::new(width, 0.12, 0.3), [1, 1, 1]);
-    let count = b.segments(10, 3);
-    for i in 0..count {
+    b.repeat(9, 0, |b, i, count| {
         let x = ((f64::from(i) + 0.5) / f64::from(count) - 0.5) * width;
-        b.at(moved(x, 0.0, 0.0), |b| lathe(b, &profile, true, 8, 10));
-    }
+        b.at(moved(x, 0.0, 0.0), |b| lathe(b, &profile, true, 8, 8));
+    });
 }
 
 /// Square piers in the corners of the court.
@@ -184,8 +183,7 @@ fn cornice(b: &mut MeshBuilder, height: f64) {
         moulding(b, &corners, true, &profile, 16);
         for side in sides() {
             side.build(b, 0.0, |b| {
-                let teeth = b.segments(side.bays * 9, 0);
-                for i in 0..teeth {
+                b.repeat(side.bays * 9, 0, |b, i, teeth| {
                     let length = f64::from(side.bays) * BAY - 2.0;
                     let x = ((f64::from(i) + 0.5) / f64::from(teeth) - 0.5) * length;
                     block_on(
@@ -194,7 +192,7 @@ fn cornice(b: &mut MeshBuilder, height: f64) {
                         DVec3::new(0.16, 0.14, 0.14),
                         [1, 1, 1],
                     );
-                }
+                });
             });
         }
     });
@@ -221,8 +219,8 @@ fn floors_and_walls(b: &mut MeshBuilder, seed: u64) {
     for side in sides() {
         let along = if side.distance == COURT.y { OUTER.x } else { OUTER.y };
         side.build(b, 0.0, |b| {
-            let columns = b.segments(side.bays * 10, 2);
-            let rows = b.segments(40, 2);
+            let columns = b.segments(side.bays * 8, 2);
+            let rows = b.segments(34, 2);
             b.grid(Grid::open(columns, rows), |u, v| {
                 let x = lerp(-along, along, u);
                 let y = lerp(0.0, FLOORS[2] + 0.6, v);
@@ -234,8 +232,8 @@ fn floors_and_walls(b: &mut MeshBuilder, seed: u64) {
                 DVec3::new(x, y, -GALLERY + 0.03 + 0.02 * rough - 0.02 * joint)
             });
             for x in side.bay_centers() {
-                b.at(moved(x, 0.0, -GALLERY + 0.1), |b| doorway(b));
-                b.at(moved(x, FLOORS[1] + 0.9, -GALLERY + 0.1), |b| window(b));
+                b.at(moved(x, 0.0, -GALLERY + 0.1), |b| b.optional(doorway));
+                b.at(moved(x, FLOORS[1] + 0.9, -GALLERY + 0.1), |b| b.optional(window));
             }
         });
     }
@@ -262,11 +260,10 @@ fn doorway(b: &mut MeshBuilder) {
     arch(b, 2.0, 3.2, 0.24, 1.5, 2.1, 24);
     block_on(b, DVec3::new(-0.87, 0.0, 0.0), DVec3::new(0.26, 2.1, 0.24), [1, 2, 1]);
     block_on(b, DVec3::new(0.87, 0.0, 0.0), DVec3::new(0.26, 2.1, 0.24), [1, 2, 1]);
-    let planks = b.segments(6, 0);
-    for i in 0..planks {
+    b.repeat(6, 0, |b, i, planks| {
         let x = ((f64::from(i) + 0.5) / f64::from(planks) - 0.5) * 1.5;
         block_on(b, DVec3::new(x, 0.0, -0.02), DVec3::new(1.42 / f64::from(planks), 2.1, 0.08), [1, 1, 1]);
-    }
+    });
 }
 
 fn window(b: &mut MeshBuilder) {
@@ -274,11 +271,10 @@ fn window(b: &mut MeshBuilder) {
     block_on(b, DVec3::new(-0.62, 0.0, 0.0), DVec3::new(0.26, 1.5, 0.2), [1, 1, 1]);
     block_on(b, DVec3::new(0.62, 0.0, 0.0), DVec3::new(0.26, 1.5, 0.2), [1, 1, 1]);
     block_on(b, DVec3::new(0.0, -0.12, 0.04), DVec3::new(1.7, 0.12, 0.3), [1, 1, 1]);
-    let bars = b.segments(5, 0);
-    for i in 0..bars {
+    b.repeat(5, 0, |b, i, bars| {
         let x = (f64::from(i) + 0.5) / f64::from(bars) - 0.5;
         tube(b, &[DVec3::new(x, 0.0, 0.02), DVec3::new(x, 1.9, 0.02)], 6, false, |_| 0.018);
-    }
+    });
 }
 
 /// Groin vaults under the upper floor, one for each bay of the galleries.
@@ -286,8 +282,8 @@ fn gallery_vaults(b: &mut MeshBuilder) {
     for side in sides() {
         side.build(b, 0.0, |b| {
             for x in side.bay_centers() {
-                let columns = b.segments(14, 2);
-                let rows = b.segments(14, 2);
+                let columns = b.segments(12, 2);
+                let rows = b.segments(12, 2);
                 b.grid(Grid::open(columns, rows), |u, v| {
                     let curve = |t: f64| {
                         let s = 2.0 * t - 1.0;
@@ -316,8 +312,8 @@ fn roof(b: &mut MeshBuilder) {
     let rise = 3.4;
     let spring = FLOORS[2];
     let half = COURT.y + WALL * 0.5;
-    let columns = b.segments(112, 4);
-    let rows = b.segments(56, 5);
+    let columns = b.segments(104, 4);
+    let rows = b.segments(48, 5);
     b.grid(Grid::open(columns, rows), |u, v| {
         let (sin, cos) = sin_cos(PI * v);
         let coffer = |t: f64, n: f64| {
@@ -334,7 +330,11 @@ fn roof(b: &mut MeshBuilder) {
         let rows = b.segments(8, 1);
         b.grid(Grid::open(columns, rows), |u, v| {
             let (sin, cos) = sin_cos(PI * if side < 0.0 { u } else { 1.0 - u });
-            DVec3::new(side * COURT.x, spring + (rise + 0.25) * sin * v, -(half + 0.25) * cos)
+            DVec3::new(
+                side * COURT.x,
+                spring - 0.5 * (1.0 - v) + (rise + 0.25) * sin * v,
+                -(half + 0.25) * cos,
+            )
         });
     }
 }
@@ -368,7 +368,7 @@ fn banners(b: &mut MeshBuilder, seed: u64) {
             for (i, x) in side.columns().enumerate().filter(|(i, _)| i % 2 == 1 - number / 2) {
                 b.at(moved(x, 0.0, WALL * 0.5 + 0.75), |b| {
                     let item = (number * 100 + i) as u64;
-                    cloth(b, seed, item, 1.5, 4.2, [30, 52], 2.5);
+                    cloth(b, seed, item, 1.5, 4.2, [26, 46], 2.5);
                     let ends = [DVec3::new(-0.95, 0.03, 0.0), DVec3::new(0.95, 0.03, 0.0)];
                     tube(b, &ends, 6, true, |_| 0.035);
                     for x in [-0.7, 0.7] {
@@ -390,7 +390,7 @@ fn curtains(b: &mut MeshBuilder, seed: u64) {
                 tube(b, &ends, 6, true, |_| 0.03);
                 let shift = if i % 2 == 0 { -0.45 } else { 0.45 };
                 b.at(moved(x + shift, 0.0, 0.0), |b| {
-                    cloth(b, seed, (1000 + number * 100 + i) as u64, 1.1, 3.1, [36, 34], 5.0);
+                    cloth(b, seed, (1000 + number * 100 + i) as u64, 1.1, 3.1, [30, 30], 5.0);
                 });
             }
         });
@@ -400,8 +400,7 @@ fn curtains(b: &mut MeshBuilder, seed: u64) {
 /// Lamps that hang on chains from the roof and along the galleries.
 fn lamps(b: &mut MeshBuilder) {
     let hang = |b: &mut MeshBuilder, top: f64, length: f64, size: f64| {
-        let links = b.segments((length / (0.16 * size)) as u32, 2);
-        for i in 0..links {
+        b.repeat((length / (0.16 * size)) as u32, 2, |b, i, links| {
             let y = top - length * (f64::from(i) + 0.5) / f64::from(links);
             b.at(moved(0.0, y, 0.0) * turned(FRAC_PI_2 * f64::from(i % 2)), |b| {
                 let half = length / f64::from(links) * 0.55;
@@ -414,7 +413,7 @@ fn lamps(b: &mut MeshBuilder) {
                 ];
                 tube(b, &way, 4, false, |_| 0.012 * size);
             });
-        }
+        });
         let p = |r: f64, y: f64| DVec2::new(r * size, y * size);
         let bowl = [
             p(0.0, -0.42),
@@ -426,17 +425,17 @@ fn lamps(b: &mut MeshBuilder) {
             p(0.0, -0.3),
         ];
         b.at(moved(0.0, top - length, 0.0), |b| {
-            lathe(b, &bowl, true, 18, 14);
-            torus(b, DVec3::new(0.0, -0.05 * size, 0.0), 0.31 * size, 0.03 * size, 18, 5);
+            lathe(b, &bowl, true, 14, 10);
+            torus(b, DVec3::new(0.0, -0.05 * size, 0.0), 0.31 * size, 0.03 * size, 14, 4);
         });
     };
-    for x in [-2.0, 0.0, 2.0] {
+    for x in [-1.0, 1.0, 3.0] {
         b.at(moved(x * BAY, 0.0, 0.0), |b| hang(b, FLOORS[2] + 3.4, 4.6, 1.8));
     }
     for side in sides() {
         side.build(b, 0.0, |b| {
             for x in side.bay_centers() {
-                b.at(moved(x, 0.0, -GALLERY * 0.5), |b| hang(b, FLOORS[1] - 0.32, 1.3, 0.8));
+                b.at(moved(x, 0.0, -GALLERY * 0.5), |b| b.optional(|b| hang(b, FLOORS[1] - 0.32, 1.3, 0.8)));
             }
         });
     }
@@ -467,7 +466,7 @@ fn urns(b: &mut MeshBuilder) {
                     block_on(b, DVec3::ZERO, DVec3::new(0.7, 0.12, 0.7), [1, 1, 1]);
                     block_on(b, DVec3::new(0.0, 0.12, 0.0), DVec3::new(0.56, 0.6, 0.56), [1, 1, 1]);
                     block_on(b, DVec3::new(0.0, 0.72, 0.0), DVec3::new(0.66, 0.08, 0.66), [1, 1, 1]);
-                    b.at(moved(0.0, 0.8, 0.0), |b| lathe(b, &urn, true, 24, 26));
+                    b.at(moved(0.0, 0.8, 0.0), |b| lathe(b, &urn, true, 20, 22));
                 });
             }
         });
@@ -477,5 +476,5 @@ fn urns(b: &mut MeshBuilder) {
 pub(super) fn view() -> (Camera, PointLight) {
     let camera =
         Camera { eye: [-10.8, 2.6, -1.2], target: [0.0, 4.4, 0.5], up: [0.0, 1.0, 0.0], fov_y_degrees: 65.0 };
-    (camera, PointLight { position: [-2.0, 9.6, 1.0], intensity: [260.0; 3] })
+    (camera, PointLight { position: [-2.0, 9.6, 1.0], intensity: [130.0; 3] })
 }

@@ -19,16 +19,14 @@ const HAIR: u64 = 1;
 
 /// The ball, of radius 5 around the origin.
 pub(super) fn generate(b: &mut MeshBuilder, seed: u64) {
-    let hairs = ((f64::from(HAIRS) * b.level()) as u32).max(FEWEST_HAIRS);
-    let thickness = 0.007 * (f64::from(HAIRS) / f64::from(hairs)).sqrt();
-    for hair in 0..hairs {
-        b.item(HAIR, hair.into());
+    b.repeat(HAIRS, FEWEST_HAIRS, |b, hair, hairs| {
+        let thickness = 0.007 * (f64::from(HAIRS) / f64::from(hairs)).sqrt();
         let spans = b.segments(SPANS, 8);
         let sides = b.segments(SIDES, 3);
         let path =
             if b.is_counting() { vec![DVec3::ZERO; spans as usize + 1] } else { wind(seed, hair, spans) };
         tube(b, &path, sides, false, |t| thickness * (1.15 - t));
-    }
+    });
 }
 
 /// A walk on a sphere that slowly drifts outward while its direction turns.
@@ -58,5 +56,5 @@ fn wind(seed: u64, hair: u32, spans: u32) -> Vec<DVec3> {
 pub(super) fn view() -> (Camera, PointLight) {
     let camera =
         Camera { eye: [4.0, 3.2, 12.0], target: [0.0, 0.0, 0.0], up: [0.0, 1.0, 0.0], fov_y_degrees: 45.0 };
-    (camera, PointLight { position: [6.0, 10.0, 11.0], intensity: [900.0; 3] })
+    (camera, PointLight { position: [6.0, 10.0, 11.0], intensity: [600.0; 3] })
 }

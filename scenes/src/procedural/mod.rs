@@ -6,9 +6,15 @@
 
 mod atrium;
 mod builder;
+mod courtyard;
+mod furniture;
 mod hairball;
+mod plants;
+mod powerplant;
 mod random;
 mod shapes;
+mod statue;
+mod vegetation;
 
 use thiserror::Error;
 
@@ -39,6 +45,38 @@ pub const CATALOGUE: &[CatalogueEntry] = &[
         description: "arcaded hall of two storeys, closed, with fluted columns, vaults and cloth",
         generate: atrium::generate,
         view: atrium::view,
+    },
+    CatalogueEntry {
+        name: "statue",
+        stands_for: "Dragon Sponza",
+        triangles: 0,
+        description: "the atrium with a statue that has three quarters of all triangles",
+        generate: statue::generate,
+        view: statue::view,
+    },
+    CatalogueEntry {
+        name: "courtyard",
+        stands_for: "San Miguel",
+        triangles: 0,
+        description: "a furnished courtyard with trees, ivy, a fountain and laid tables",
+        generate: courtyard::generate,
+        view: courtyard::view,
+    },
+    CatalogueEntry {
+        name: "powerplant",
+        stands_for: "Powerplant",
+        triangles: 0,
+        description: "a steel frame full of boilers and long thin pipes in all directions",
+        generate: powerplant::generate,
+        view: powerplant::view,
+    },
+    CatalogueEntry {
+        name: "vegetation",
+        stands_for: "Vegetation",
+        triangles: 0,
+        description: "a clearing with ferns, grass, bushes and palms: leaves that overlap at every scale",
+        generate: vegetation::generate,
+        view: vegetation::view,
     },
     CatalogueEntry {
         name: "hairball",

@@ -1,0 +1,549 @@
+//! Symbolic execution of a kernel: assignments become graph nodes, branches become multiplexers.
+//!
+//! A kernel runs top to bottom with blocking assignments, so a reassigned signal is a new value (static
+//! single assignment) and every read sees the latest one. Both branches of an `if` run on copies of the
+//! state, and what they leave different becomes a multiplexer; loops unroll. What the expressions mean is
+//! the [`Semantics`]: the kernel's own, or that of the Verilog which rust-hdl prints for it.
+
+use rust_hdl_core::ast::{
+    VerilogBlock, VerilogBlockOrConditional, VerilogConditional, VerilogExpression as Expr, VerilogLink,
+    VerilogLinkDetails, VerilogLoop, VerilogMatch, VerilogStatement as Statement,
+};
+
+use super::error::{ElaborateError, ErrorKind, Location};
+use super::graph::{BinaryOp, Graph, Node, NodeId, UnaryOp, mask};
+use super::index::{self, LoopVariables};
+use super::signals::{Destination, Role, Signal, Signals, parse_literal};
+use super::source::statement_text;
+
+/// Whose rules an expression is read by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Semantics {
+    /// Rust: every operation has its own width, a literal that of the other operand.
+    Rust,
+    /// IEEE 1364: the exported text, with its precedence, 32-bit literals and context-determined widths.
+    Verilog,
+}
+
+/// The value of a target at one point of the kernel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Slot {
+    /// Nothing assigned it yet.
+    Unset,
+    /// Assigned on some paths only, since the statement given.
+    Partial(String),
+    /// This value.
+    Value(NodeId),
+}
+
+/// A value that a target takes outside any branch: what a name can be given to.
+#[derive(Clone, Debug)]
+pub struct Version {
+    /// Position in [`Signals::targets`].
+    pub target: usize,
+    /// The value.
+    pub node: NodeId,
+}
+
+/// A value computed by both semantics in the same state; recorded for the guard.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The statement that computes it.
+    pub statement: String,
+    /// One bit: whether the statement executes.
+    pub path: NodeId,
+    /// The value by Rust's rules.
+    pub rust: NodeId,
+    /// The value by Verilog's rules.
+    pub verilog: NodeId,
+}
+
+/// The state of the execution.
+pub struct Kernel<'a> {
+    pub(super) signals: &'a Signals,
+    pub(super) graph: &'a mut Graph,
+    pub(super) loops: LoopVariables,
+    /// Number of values that Verilog leaves unknown; each is an input of the graph of its own.
+    pub(super) unknowns: u32,
+    semantics: Semantics,
+    path: &'a str,
+    slots: Vec<Slot>,
+    versions: Vec<Version>,
+    condition: Option<NodeId>,
+    comparisons: Option<Vec<Comparison>>,
+}
+
+/// What a kernel computes.
+pub struct Outcome {
+    /// The final value of each target; for clocks the slot is meaningless.
+    pub values: Vec<NodeId>,
+    /// The values that targets take outside branches, in order.
+    pub versions: Vec<Version>,
+    /// What was compared, if asked for.
+    pub comparisons: Vec<Comparison>,
+}
+
+/// Executes a kernel. `path` is the instance path for messages.
+///
+/// # Errors
+/// [`ElaborateError`] with the statement at fault.
+pub fn execute(
+    block: &VerilogBlock,
+    signals: &Signals,
+    graph: &mut Graph,
+    semantics: Semantics,
+    path: &str,
+) -> Result<Outcome, ElaborateError> {
+    Kernel::new(signals, graph, semantics, path).run(block)
+}
+
+/// Executes a kernel by Rust's rules and evaluates each expression by Verilog's rules too, in the same state.
+///
+/// # Errors
+/// [`ElaborateError`] with the statement at fault.
+pub fn execute_comparing(
+    block: &VerilogBlock,
+    signals: &Signals,
+    graph: &mut Graph,
+    path: &str,
+) -> Result<Outcome, ElaborateError> {
+    let mut kernel = Kernel::new(signals, graph, Semantics::Rust, path);
+    kernel.comparisons = Some(Vec::new());
+    kernel.run(block)
+}
+
+impl<'a> Kernel<'a> {
+    fn new(signals: &'a Signals, graph: &'a mut Graph, semantics: Semantics, path: &'a str) -> Self {
+        let slots = vec![Slot::Unset; signals.targets.len()];
+        Self {
+            signals,
+            graph,
+            loops: LoopVariables::new(),
+            unknowns: 0,
+            semantics,
+            path,
+            slots,
+            versions: Vec::new(),
+            condition: None,
+            comparisons: None,
+        }
+    }
+
+    fn run(mut self, block: &VerilogBlock) -> Result<Outcome, ElaborateError> {
+        self.block(block)?;
+        let mut values = Vec::with_capacity(self.slots.len());
+        for (slot, target) in self.slots.iter().zip(&self.signals.targets) {
+            let (statement, kind) = match slot {
+                Slot::Value(node) => {
+                    values.push(*node);
+                    continue;
+                }
+                Slot::Unset => (String::new(), ErrorKind::Undriven(display_name(&target.name))),
+                Slot::Partial(statement) => (statement.clone(), ErrorKind::Latch(display_name(&target.name))),
+            };
+            return Err(ElaborateError { at: Location { path: self.path.to_owned(), statement }, kind });
+        }
+        Ok(Outcome { values, versions: self.versions, comparisons: self.comparisons.unwrap_or_default() })
+    }
+
+    fn block(&mut self, block: &VerilogBlock) -> Result<(), ElaborateError> {
+        block.iter().try_for_each(|statement| self.statement(statement))
+    }
+
+    fn statement(&mut self, statement: &Statement) -> Result<(), ElaborateError> {
+        let at = |kind| ElaborateError {
+            at: Location { path: self.path.to_owned(), statement: statement_text(statement) },
+            kind,
+        };
+        match statement {
+            Statement::Assignment(target, value) => self.assignment(target, value, statement).map_err(at),
+            Statement::SliceAssignment { base, width, offset, replacement } => {
+                self.slice_assignment(base, *width, offset, replacement, statement).map_err(at)
+            }
+            Statement::Link(links) => links.iter().try_for_each(|link| self.link(link)).map_err(at),
+            Statement::If(conditional) => self.conditional(conditional, statement),
+            Statement::Match(matched) => self.matched(matched, statement),
+            Statement::Loop(looped) => self.unroll(looped, statement),
+            Statement::Macro(block) => self.block(block),
+            Statement::Comment(_) => Ok(()),
+        }
+    }
+
+    fn assignment(&mut self, target: &Expr, value: &Expr, at: &Statement) -> Result<(), ErrorKind> {
+        let target = self.target(target)?;
+        let declared = &self.signals.targets[target];
+        if declared.destination == Destination::Clock {
+            let name = display_name(&declared.name);
+            return match self.as_clock(value) {
+                true => {
+                    let any = self.graph.constant(0, 1);
+                    self.assign(target, any);
+                    Ok(())
+                }
+                false => Err(ErrorKind::Clock(name)),
+            };
+        }
+        let width = declared.width;
+        let node = self.value(value, width, at)?;
+        self.assign(target, node);
+        Ok(())
+    }
+
+    fn slice_assignment(
+        &mut self,
+        base: &Expr,
+        width: usize,
+        offset: &Expr,
+        value: &Expr,
+        at: &Statement,
+    ) -> Result<(), ErrorKind> {
+        let target = self.target(base)?;
+        let declared = &self.signals.targets[target];
+        let total = declared.width;
+        let Slot::Value(whole) = self.slots[target] else {
+            return Err(ErrorKind::ReadBeforeWrite(display_name(&declared.name)));
+        };
+        let low = self
+            .constant_integer(offset)
+            .and_then(|low| u32::try_from(low).ok())
+            .ok_or_else(|| ErrorKind::NotUnderstood("a field at a variable offset".into()))?;
+        let width = u32::try_from(width).map_err(|_| ErrorKind::UnsupportedWidth(width))?;
+        if width == 0 || low.checked_add(width).is_none_or(|end| end > total) {
+            return Err(ErrorKind::WidthMismatch { left: total, right: low.saturating_add(width) });
+        }
+        let mut joined = self.value(value, width, at)?;
+        if low > 0 {
+            let below = self.graph.slice(whole, 0, low);
+            joined = self.graph.concat(joined, below);
+        }
+        if low + width < total {
+            let above = self.graph.slice(whole, low + width, total - low - width);
+            joined = self.graph.concat(above, joined);
+        }
+        self.assign(target, joined);
+        Ok(())
+    }
+
+    fn link(&mut self, link: &VerilogLink) -> Result<(), ErrorKind> {
+        let (from, to, details) = match link {
+            VerilogLink::Forward(d) => (&d.owner_name, &d.other_name, d),
+            VerilogLink::Backward(d) => (&d.other_name, &d.owner_name, d),
+            VerilogLink::Bidirectional(_) => {
+                return Err(ErrorKind::NotUnderstood("a bidirectional link".into()));
+            }
+        };
+        let (from, to) = (self.linked(from, details)?, self.linked(to, details)?);
+        let target = self.target_of_name(&to)?;
+        let source = self.lookup(&from)?.clone();
+        let declared = &self.signals.targets[target];
+        if declared.destination == Destination::Clock {
+            if source.role != Role::Clock {
+                return Err(ErrorKind::Clock(display_name(&to)));
+            }
+            let any = self.graph.constant(0, 1);
+            self.assign(target, any);
+            return Ok(());
+        }
+        if declared.width != source.width {
+            return Err(ErrorKind::WidthMismatch { left: declared.width, right: source.width });
+        }
+        let node = self.read(&from, &source)?;
+        self.assign(target, node);
+        Ok(())
+    }
+
+    fn linked(&self, base: &str, details: &VerilogLinkDetails) -> Result<String, ErrorKind> {
+        let field = details.my_name.trim_start_matches('.').replace('.', "$");
+        let base = index::resolve(base, &self.loops)?;
+        Ok(if field.is_empty() { base } else { format!("{base}${field}") })
+    }
+
+    fn conditional(&mut self, c: &VerilogConditional, at: &Statement) -> Result<(), ElaborateError> {
+        let select = self.condition(&c.test, at).map_err(|kind| ElaborateError {
+            at: Location { path: self.path.to_owned(), statement: statement_text(at) },
+            kind,
+        })?;
+        let before = self.slots.clone();
+        self.branch(select, |kernel| kernel.block(&c.then))?;
+        let after_then = std::mem::replace(&mut self.slots, before.clone());
+        let inverse = self.graph.unary(UnaryOp::Not, select);
+        self.branch(inverse, |kernel| match &c.otherwise {
+            VerilogBlockOrConditional::Block(block) => kernel.block(block),
+            VerilogBlockOrConditional::Conditional(statement) => kernel.statement(statement),
+            VerilogBlockOrConditional::None => Ok(()),
+        })?;
+        self.merge(select, after_then, &statement_text(at));
+        self.name_changes(&before);
+        Ok(())
+    }
+
+    fn matched(&mut self, m: &VerilogMatch, at: &Statement) -> Result<(), ElaborateError> {
+        let wrap = |kind, path: &str| ElaborateError {
+            at: Location { path: path.to_owned(), statement: statement_text(at) },
+            kind,
+        };
+        let tested = self.scrutinee(&m.test, at).map_err(|kind| wrap(kind, self.path))?;
+        let width = self.graph.width(tested);
+        let before = self.slots.clone();
+        let mut covered = std::collections::BTreeSet::new();
+        let mut arms = Vec::new();
+        let mut otherwise = before.clone();
+        for case in &m.cases {
+            if case.condition == "default" {
+                self.slots = before.clone();
+                self.branch_in_arm(|kernel| kernel.block(&case.block))?;
+                otherwise = std::mem::take(&mut self.slots);
+                break;
+            }
+            let value = self.pattern(&case.condition, width).map_err(|kind| wrap(kind, self.path))?;
+            covered.insert(value);
+            let constant = self.graph.constant(value, width);
+            let select = self.graph.binary(BinaryOp::Eq, tested, constant);
+            self.slots = before.clone();
+            self.branch(select, |kernel| kernel.block(&case.block))?;
+            arms.push((select, std::mem::take(&mut self.slots)));
+            // When every encoding has its arm the last one needs no test.
+            if covered.len() as u128 - 1 == mask(width) {
+                otherwise = arms.pop().map_or(otherwise, |(_, slots)| slots);
+                break;
+            }
+        }
+        self.slots = otherwise;
+        for (select, slots) in arms.into_iter().rev() {
+            self.merge(select, slots, &statement_text(at));
+        }
+        self.name_changes(&before);
+        Ok(())
+    }
+
+    fn unroll(&mut self, looped: &VerilogLoop, at: &Statement) -> Result<(), ElaborateError> {
+        let wrap = |kind, path: &str| ElaborateError {
+            at: Location { path: path.to_owned(), statement: statement_text(at) },
+            kind,
+        };
+        let bound = |text: String| -> Result<u64, ErrorKind> {
+            u64::try_from(parse_literal(&text)?.0)
+                .map_err(|_| ErrorKind::NotUnderstood(format!("bound {text}")))
+        };
+        let from = bound(looped.from.to_string()).map_err(|kind| wrap(kind, self.path))?;
+        let to = bound(looped.to.to_string()).map_err(|kind| wrap(kind, self.path))?;
+        let outer = self.loops.get(&looped.index).copied();
+        for value in from..to {
+            self.loops.insert(looped.index.clone(), value);
+            self.block(&looped.block)?;
+        }
+        match outer {
+            Some(value) => self.loops.insert(looped.index.clone(), value),
+            None => self.loops.remove(&looped.index),
+        };
+        Ok(())
+    }
+
+    fn branch(
+        &mut self,
+        select: NodeId,
+        run: impl FnOnce(&mut Self) -> Result<(), ElaborateError>,
+    ) -> Result<(), ElaborateError> {
+        let outer = self.condition;
+        self.condition = Some(match outer {
+            Some(outer) => self.graph.binary(BinaryOp::And, outer, select),
+            None => select,
+        });
+        let result = run(self);
+        self.condition = outer;
+        result
+    }
+
+    fn branch_in_arm(
+        &mut self,
+        run: impl FnOnce(&mut Self) -> Result<(), ElaborateError>,
+    ) -> Result<(), ElaborateError> {
+        let always = self.graph.constant(1, 1);
+        self.branch(always, run)
+    }
+
+    /// Makes `self.slots` what they are when `select` chooses between `when_true` and them.
+    fn merge(&mut self, select: NodeId, when_true: Vec<Slot>, statement: &str) {
+        if let Some(value) = self.graph.constant_value(select) {
+            if value == 1 {
+                self.slots = when_true;
+            }
+            return;
+        }
+        for (slot, taken) in self.slots.iter_mut().zip(when_true) {
+            *slot = match (&taken, &*slot) {
+                (a, b) if a == b => continue,
+                (Slot::Value(a), Slot::Value(b)) => Slot::Value(self.graph.mux(select, *a, *b)),
+                (Slot::Partial(origin), _) | (_, Slot::Partial(origin)) => Slot::Partial(origin.clone()),
+                _ => Slot::Partial(statement.to_owned()),
+            };
+        }
+    }
+
+    fn assign(&mut self, target: usize, node: NodeId) {
+        self.slots[target] = Slot::Value(node);
+        if self.condition.is_none() {
+            self.versions.push(Version { target, node });
+        }
+    }
+
+    fn name_changes(&mut self, before: &[Slot]) {
+        if self.condition.is_some() {
+            return;
+        }
+        for (target, (slot, old)) in self.slots.iter().zip(before).enumerate() {
+            if let Slot::Value(node) = *slot
+                && slot != old
+            {
+                self.versions.push(Version { target, node });
+            }
+        }
+    }
+
+    fn value(&mut self, expr: &Expr, width: u32, at: &Statement) -> Result<NodeId, ErrorKind> {
+        self.both(
+            at,
+            |kernel| kernel.rust_value_of_width(expr, width),
+            |kernel| kernel.verilog_assigned(expr, width),
+        )
+    }
+
+    fn condition(&mut self, expr: &Expr, at: &Statement) -> Result<NodeId, ErrorKind> {
+        self.both(at, |kernel| kernel.rust_value_of_width(expr, 1), |kernel| kernel.verilog_condition(expr))
+    }
+
+    fn scrutinee(&mut self, expr: &Expr, at: &Statement) -> Result<NodeId, ErrorKind> {
+        self.both(
+            at,
+            |kernel| Ok(kernel.rust_value(expr, None)?.node),
+            |kernel| kernel.verilog_scrutinee(expr),
+        )
+    }
+
+    fn both(
+        &mut self,
+        at: &Statement,
+        rust: impl FnOnce(&mut Self) -> Result<NodeId, ErrorKind>,
+        verilog: impl FnOnce(&mut Self) -> Result<NodeId, ErrorKind>,
+    ) -> Result<NodeId, ErrorKind> {
+        if self.semantics == Semantics::Verilog {
+            return verilog(self);
+        }
+        let rust = rust(self)?;
+        if self.comparisons.is_some() {
+            let verilog = verilog(self)?;
+            let verilog = self.graph.resize(verilog, self.graph.width(rust), false);
+            let path = self.condition.unwrap_or_else(|| self.graph.constant(1, 1));
+            let statement = statement_text(at);
+            self.comparisons.iter_mut().for_each(|list| {
+                list.push(Comparison { statement: statement.clone(), path, rust, verilog });
+            });
+        }
+        Ok(rust)
+    }
+
+    fn pattern(&self, text: &str, width: u32) -> Result<u128, ErrorKind> {
+        let name = text.replace("::", "$");
+        if let Some(&(value, label_width)) = self.signals.labels.get(&name) {
+            return if label_width == width {
+                Ok(value)
+            } else {
+                Err(ErrorKind::WidthMismatch { left: width, right: label_width })
+            };
+        }
+        let digits = text.split_once('u').map_or(text, |(digits, _)| digits).replace('_', "");
+        let value = match digits.split_at_checked(2) {
+            _ if text == "true" || text == "false" => {
+                // rust-hdl prints the word as it is, an undeclared name in Verilog.
+                return Err(ErrorKind::NotUnderstood(format!("the pattern `{text}`; use `if`")));
+            }
+            Some(("0x", hex)) => u128::from_str_radix(hex, 16).ok(),
+            Some(("0b", binary)) => u128::from_str_radix(binary, 2).ok(),
+            _ => digits.parse().ok(),
+        };
+        match value {
+            Some(value) if value <= mask(width) => Ok(value),
+            Some(value) => Err(ErrorKind::WidthMismatch { left: width, right: 128 - value.leading_zeros() }),
+            None => Err(ErrorKind::Unresolved(text.to_owned())),
+        }
+    }
+
+    fn as_clock(&self, value: &Expr) -> bool {
+        match value {
+            Expr::Signal(name) => self.lookup(name).is_ok_and(|signal| signal.role == Role::Clock),
+            Expr::Paren(inner) => self.as_clock(inner),
+            _ => false,
+        }
+    }
+
+    fn target(&self, expr: &Expr) -> Result<usize, ErrorKind> {
+        match expr {
+            Expr::Signal(name) => self.target_of_name(&index::resolve(name, &self.loops)?),
+            _ => Err(ErrorKind::NotUnderstood("an assignment to something that is no signal".into())),
+        }
+    }
+
+    fn target_of_name(&self, name: &str) -> Result<usize, ErrorKind> {
+        match self.signals.by_name.get(name) {
+            Some(Signal { role: Role::Target(target), .. }) => Ok(*target),
+            Some(_) => Err(ErrorKind::MultipleDrivers(display_name(name))),
+            None => Err(ErrorKind::Unresolved(display_name(name))),
+        }
+    }
+
+    /// The signal with this raw name.
+    pub(super) fn lookup(&self, raw: &str) -> Result<&'a Signal, ErrorKind> {
+        let name = index::resolve(raw, &self.loops)?;
+        self.signals.by_name.get(&name).ok_or_else(|| ErrorKind::Unresolved(display_name(&name)))
+    }
+
+    /// The present value of a signal.
+    pub(super) fn read(&mut self, name: &str, signal: &Signal) -> Result<NodeId, ErrorKind> {
+        match signal.role {
+            Role::Source(op) => Ok(self.graph.intern(Node { op, width: signal.width })),
+            Role::Constant(value) => Ok(self.graph.constant(value, signal.width)),
+            Role::Clock => Err(ErrorKind::Clock(display_name(name))),
+            Role::Target(target) => {
+                let destination = self.signals.targets[target].destination;
+                if !matches!(destination, Destination::Local | Destination::Output(_)) {
+                    return Err(ErrorKind::NotUnderstood(format!(
+                        "`{}` is an input of an instance; read the signal that drives it",
+                        display_name(name)
+                    )));
+                }
+                match &self.slots[target] {
+                    Slot::Value(node) => Ok(*node),
+                    Slot::Unset => Err(ErrorKind::ReadBeforeWrite(display_name(name))),
+                    Slot::Partial(_) => Err(ErrorKind::Latch(display_name(name))),
+                }
+            }
+        }
+    }
+
+    /// The value of an expression of literals and loop variables.
+    pub(super) fn constant_integer(&self, expr: &Expr) -> Option<u128> {
+        use rust_hdl_core::ast::VerilogOp as O;
+        match expr {
+            Expr::Literal(literal) => parse_literal(&literal.to_string()).ok().map(|(value, _)| value),
+            Expr::Signal(name) => self.loops.get(name).map(|&value| u128::from(value)),
+            Expr::Paren(inner) => self.constant_integer(inner),
+            Expr::Binary(left, op, right) => {
+                let (left, right) = (self.constant_integer(left)?, self.constant_integer(right)?);
+                match op {
+                    O::Add => left.checked_add(right),
+                    O::Sub => left.checked_sub(right),
+                    O::Mul => left.checked_mul(right),
+                    O::Shl => left.checked_shl(u32::try_from(right).ok()?),
+                    O::Shr => left.checked_shr(u32::try_from(right).ok()?),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A kernel name as the author wrote it.
+pub fn display_name(name: &str) -> String {
+    name.replace('$', ".")
+}
