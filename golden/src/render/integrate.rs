@@ -8,7 +8,7 @@ use super::surface::Surface;
 use super::{ALBEDO, RenderOptions};
 use crate::Ray;
 use crate::ray::{Hit, TraversalRay};
-use crate::traverse::{Counters, Trace};
+use crate::traverse::{Counters, NoObserver, Trace};
 use glam::DVec3;
 use rayon::prelude::*;
 use scenes::Scene;
@@ -165,16 +165,22 @@ impl<S: Trace> Tracer<'_, S> {
 
     fn closest(&mut self, wave: usize, ray: &Ray) -> Option<Hit> {
         let mut counters = Counters::default();
-        let hit = TraversalRay::new(ray, self.options.mode)
-            .and_then(|ray| self.structure.closest_prepared(&ray, &mut counters));
+        let (structure, count) = (self.structure, self.options.count_work);
+        let hit = TraversalRay::new(ray, self.options.mode).and_then(|ray| match count {
+            true => structure.closest_prepared(&ray, &mut counters),
+            false => structure.closest_prepared(&ray, &mut NoObserver),
+        });
         self.record(wave, ray, hit.is_some(), counters);
         hit
     }
 
     fn occluded(&mut self, wave: usize, ray: &Ray) -> bool {
         let mut counters = Counters::default();
-        let hit = TraversalRay::new(ray, self.options.mode)
-            .is_some_and(|ray| self.structure.occluded_prepared(&ray, &mut counters));
+        let (structure, count) = (self.structure, self.options.count_work);
+        let hit = TraversalRay::new(ray, self.options.mode).is_some_and(|ray| match count {
+            true => structure.occluded_prepared(&ray, &mut counters),
+            false => structure.occluded_prepared(&ray, &mut NoObserver),
+        });
         self.record(wave, ray, hit, counters);
         hit
     }

@@ -95,6 +95,9 @@ pub struct RenderOptions {
     pub mode: Mode,
     /// Radiance of rays that leave the scene, linear RGB.
     pub background: [f32; 3],
+    /// Whether work is counted: [`Pixel::work`] and the counters of [`Rendering::totals`] stay zero without. Counting
+    /// visits node by node, which takes about twice as long.
+    pub count_work: bool,
     /// Whether the rays are kept in [`Rendering::rays`], 32 bytes each.
     pub keep_rays: bool,
 }
@@ -111,6 +114,7 @@ impl RenderOptions {
             seed: 0,
             mode: Mode::default(),
             background: [0.24, 0.3, 0.4],
+            count_work: false,
             keep_rays: false,
         }
     }

@@ -62,7 +62,8 @@ pub struct ClassTotals {
 }
 
 impl ClassTotals {
-    pub(super) fn merge(&mut self, other: &ClassTotals) {
+    /// Adds the rays of `other`.
+    pub fn merge(&mut self, other: &ClassTotals) {
         self.rays += other.rays;
         self.hits += other.hits;
         self.counters.merge(&other.counters);

@@ -42,7 +42,7 @@ fn structure(scene: &Scene, kind: StructureKind) -> Structure {
 }
 
 fn options(test: Test) -> RenderOptions {
-    RenderOptions { samples: 3, keep_rays: true, ..RenderOptions::new(test, 48, 32) }
+    RenderOptions { samples: 3, count_work: true, keep_rays: true, ..RenderOptions::new(test, 48, 32) }
 }
 
 fn rendering(scene: &Scene, kind: StructureKind, options: &RenderOptions) -> Rendering {
@@ -71,6 +71,10 @@ fn all_structures_give_the_same_picture() {
                 assert!(bits(&first) == bits(&other), "{kind} {test}");
                 assert_eq!(first.rays, other.rays);
                 assert_ne!(first.total().counters, other.total().counters);
+                // The kernels that do not count find the same.
+                let fast = rendering(&scene, *kind, &RenderOptions { count_work: false, ..options });
+                assert!(bits(&first) == bits(&fast), "{kind} {test}");
+                assert!(fast.pixels.iter().all(|p| p.work == Work::default()));
             }
         }
     }

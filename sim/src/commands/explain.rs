@@ -1,6 +1,6 @@
 //! `dualsplit explain`: the traversal of one pixel's primary ray, step by step.
 
-use super::trace::CounterRow;
+use super::work::CounterRow;
 use crate::cli::{ExplainArgs, Global};
 use crate::console::Report;
 use crate::input::{self, Built};

@@ -7,6 +7,7 @@ mod reproduce;
 mod scenes;
 mod trace;
 mod tree;
+mod work;
 
 use crate::cli::{Cli, Command, ReproduceArgs};
 use crate::console::Report;

@@ -1,16 +1,16 @@
 //! `dualsplit render`: pictures, heat maps and ray streams.
 
-use super::trace::CounterRow;
+use super::work::{ClassRow, class_table};
 use crate::cli::{Global, RenderArgs, quality_name};
-use crate::console::{Report, fixed, progress, table};
+use crate::console::{Report, progress};
 use crate::input::{self, Built, check_writable};
 use anyhow::ensure;
 use golden::ray_file::write_rays;
-use golden::render::{RenderOptions, Rendering, render};
+use golden::render::{RenderOptions, render};
 use scenes::output::write_file;
 use serde::Serialize;
 use sim::picture::heatmap::{self, Quantity};
-use sim::picture::{Format, exr, png};
+use sim::picture::{Format, exr, max_radiance, png};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -28,12 +28,13 @@ struct Document {
     seed: u64,
     rays: u64,
     hits: u64,
-    /// With counters on; `dualsplit trace` measures speed.
     seconds: f64,
-    /// The largest value of `max_of` in any pixel.
-    max: u32,
+    /// The largest value of what is drawn, `max_of`: the heat map's quantity, or the radiance of a channel.
+    max: f64,
     max_of: &'static str,
-    maxima: Maxima,
+    /// The largest work of any pixel, if work was counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    maxima: Option<Maxima>,
     classes: Vec<ClassRow>,
     out: PathBuf,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -46,27 +47,6 @@ struct Maxima {
     plane_tests: u32,
     triangle_tests: u32,
     stack_depth: u32,
-}
-
-/// The rays of one class in result files.
-#[derive(Clone, Serialize)]
-pub struct ClassRow {
-    pub class: String,
-    pub rays: u64,
-    pub hits: u64,
-    #[serde(flatten)]
-    pub counters: CounterRow,
-}
-
-/// All classes of `rendering`.
-pub fn class_rows(rendering: &Rendering) -> Vec<ClassRow> {
-    let row = |(class, totals): (golden::render::RayClass, &golden::render::ClassTotals)| ClassRow {
-        class: class.to_string(),
-        rays: totals.rays,
-        hits: totals.hits,
-        counters: totals.counters.into(),
-    };
-    rendering.classes().map(row).collect()
 }
 
 pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
@@ -86,6 +66,7 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
         samples: args.spp,
         seed: global.seed,
         mode: args.mode.mode,
+        count_work: args.heatmap.is_some() || format == Format::Exr,
         keep_rays: args.rays.is_some(),
         ..RenderOptions::new(args.test, width, height)
     };
@@ -112,7 +93,10 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
         write_rays(path, stream, global.force)?;
     }
 
-    let quantity = args.heatmap.unwrap_or(Quantity::NodeVisits);
+    let (max, max_of) = match args.heatmap {
+        Some(quantity) => (f64::from(quantity.max(&rendering)), quantity.name()),
+        None => (f64::from(max_radiance(&rendering)), "radiance"),
+    };
     let total = rendering.total();
     let document = Document {
         scene: scene.name,
@@ -128,15 +112,18 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
         rays: total.rays,
         hits: total.hits,
         seconds,
-        max: quantity.max(&rendering),
-        max_of: quantity.name(),
-        maxima: Maxima {
+        max,
+        max_of,
+        maxima: options.count_work.then(|| Maxima {
             node_visits: Quantity::NodeVisits.max(&rendering),
             plane_tests: Quantity::PlaneTests.max(&rendering),
             triangle_tests: Quantity::TriangleTests.max(&rendering),
             stack_depth: Quantity::StackDepth.max(&rendering),
-        },
-        classes: class_rows(&rendering),
+        }),
+        classes: rendering
+            .classes()
+            .map(|(class, totals)| ClassRow::new(class, totals, options.count_work))
+            .collect(),
         out: args.out.clone(),
         rays_out: args.rays.clone(),
     };
@@ -148,7 +135,7 @@ fn text(document: &Document) -> String {
     let d = document;
     let mut text = format!(
         "{}: {} triangles, {} test through {}, {} mode, {}x{} with {} sample(s) per pixel\n\
-         {} rays in {:.2} s; largest {} of a pixel: {}\n\n",
+         {} rays in {:.2} s; max {}: {}\n\n",
         d.scene,
         d.triangles,
         d.test,
@@ -162,29 +149,6 @@ fn text(document: &Document) -> String {
         d.max_of,
         d.max
     );
-    let header = [
-        "class",
-        "rays",
-        "hits",
-        "node visits/ray",
-        "planes/ray",
-        "boxes/ray",
-        "triangles/ray",
-        "stack depth",
-    ];
-    let rows = d.classes.iter().map(|c| {
-        let per_ray = |x: u64| fixed(x as f64 / c.rays.max(1) as f64, 2);
-        [
-            c.class.clone(),
-            c.rays.to_string(),
-            c.hits.to_string(),
-            per_ray(c.counters.node_visits),
-            per_ray(c.counters.plane_tests),
-            per_ray(c.counters.box_tests),
-            per_ray(c.counters.triangle_tests),
-            c.counters.stack_depth.to_string(),
-        ]
-    });
-    text += &table(header, rows);
+    text += &class_table(&d.classes);
     text
 }

@@ -1,7 +1,7 @@
 //! `dualsplit reproduce`: the main job, all results in one folder.
 
-use super::render::{ClassRow, class_rows};
 use super::tree::{self, StructureRow};
+use super::work::ClassRow;
 use crate::artifacts::Artifacts;
 use crate::cli::{Global, ReproduceArgs, quality_name};
 use crate::console::{Report, fixed, progress, table};
@@ -14,7 +14,7 @@ use scenes::Scene;
 use scenes::procedural::{self, CATALOGUE};
 use serde::Serialize;
 use sim::picture::heatmap::{self, Quantity};
-use sim::picture::{exr, png};
+use sim::picture::png;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -23,14 +23,23 @@ struct Preset {
     name: &'static str,
     /// About this many triangles to a scene.
     triangles: f64,
-    side: u32,
-    samples: u32,
     quality: Quality,
+    /// Side of the renderings in which work is counted, in pixels, with one sample each.
+    measured_side: u32,
+    /// Side of the pictures.
+    picture_side: u32,
+    picture_samples: u32,
 }
 
 /// Two minutes on two cores are plenty for it.
-const QUICK: Preset =
-    Preset { name: "quick", triangles: 60_000.0, side: 256, samples: 4, quality: Quality::High };
+const QUICK: Preset = Preset {
+    name: "quick",
+    triangles: 60_000.0,
+    quality: Quality::High,
+    measured_side: 192,
+    picture_side: 320,
+    picture_samples: 8,
+};
 
 #[derive(Serialize)]
 struct Document {
@@ -83,7 +92,7 @@ impl RenderResult {
             triangle_tests_per_ray: per_ray(total.counters.triangle_tests),
             bytes_per_ray: per_ray(total.counters.bytes),
             stack_depth: total.counters.stack_depth,
-            classes: class_rows(rendering),
+            classes: rendering.classes().map(|(class, totals)| ClassRow::new(class, totals, true)).collect(),
         }
     }
 }
@@ -100,10 +109,10 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
     let preset = QUICK;
     let mut artifacts = Artifacts::create(&args.out, global.force)?;
     let options = RenderOptions {
-        samples: preset.samples,
         seed: global.seed,
         mode: args.mode.mode,
-        ..RenderOptions::new(Test::Raycast, preset.side, preset.side)
+        count_work: true,
+        ..RenderOptions::new(Test::Raycast, preset.measured_side, preset.measured_side)
     };
     let mut document = Document {
         preset: preset.name,
@@ -111,21 +120,22 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
         mode: args.mode.mode.name(),
         seed: global.seed,
         quality: quality_name(preset.quality),
-        width: preset.side,
-        height: preset.side,
-        spp: preset.samples,
+        width: options.width,
+        height: options.height,
+        spp: options.samples,
         scenes: vec![],
     };
-    let steps = CATALOGUE.len() * (Test::ALL.len() * StructureKind::ALL.len() + 1);
+    let steps = CATALOGUE.len() * (Test::ALL.len() * (StructureKind::ALL.len() + 1) + 1);
     let bar = progress(steps as u64, "scenes, trees, pictures");
     for entry in CATALOGUE {
-        let detail = (preset.triangles / entry.triangles as f64).min(1.0);
+        let full = procedural::count_triangles(entry.name, 1.0, global.seed)?;
+        let detail = (preset.triangles / full as f64).min(1.0);
         bar.set_message(entry.name);
         let scene = procedural::build(entry.name, detail, global.seed)?;
         let built = Built::new(&scene, preset.quality)?;
         let structures = tree::rows(&built)?;
         bar.inc(1);
-        let renders = pictures(&scene, &built, &options, &mut artifacts, || bar.inc(1))?;
+        let renders = renders(&scene, &built, &options, &mut artifacts, || bar.inc(1))?;
         document.scenes.push(SceneResult {
             scene: scene.name,
             stands_for: entry.stands_for,
@@ -146,8 +156,8 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
     Ok(Report::new(&Artifact { artifacts, mode: document.mode, seconds }, text))
 }
 
-/// Renders both tests through every structure, and writes one picture of each test, once all have turned out equal.
-fn pictures(
+/// Measures both tests in every structure, makes sure that all give one picture, and writes heat maps and pictures.
+fn renders(
     scene: &Scene,
     built: &Built,
     options: &RenderOptions,
@@ -157,29 +167,40 @@ fn pictures(
     let mut results = vec![];
     for test in Test::ALL {
         let options = RenderOptions { test, ..*options };
-        let mut first: Option<Rendering> = None;
+        let mut renderings = vec![];
         for kind in StructureKind::ALL {
             let (structure, _) = built.convert(kind)?;
             let rendering = render(&structure, scene, &options, |_| {})?;
             results.push(RenderResult::new(kind, test, &rendering));
-            let map = heatmap::of_rendering(&rendering, Quantity::NodeVisits, None);
-            let name = format!("heatmaps/{}-{test}-{kind}-node-visits.png", scene.name);
-            artifacts.write(&name, &png::encode(&map))?;
-            match &first {
-                None => first = Some(rendering),
-                Some(first) => ensure!(
-                    same_picture(first, &rendering),
-                    "{} {test}: {kind} gives another picture than {}; this is a defect of the program",
-                    scene.name,
-                    StructureKind::ALL[0]
-                ),
-            }
+            renderings.push((kind, rendering));
             done();
         }
-        let rendering = first.expect("there is a structure");
-        let name = format!("images/{}-{test}", scene.name);
-        artifacts.write(&format!("{name}.png"), &png::encode(&png::develop(&rendering, 0.0)))?;
-        artifacts.write(&format!("{name}.exr"), &exr::encode(&rendering))?;
+        let (_, first) = &renderings[0];
+        // One scale for all structures, so that the maps can be compared.
+        let quantity = Quantity::NodeVisits;
+        let scale_max = renderings.iter().map(|(_, rendering)| quantity.max(rendering)).max();
+        for (kind, rendering) in &renderings {
+            ensure!(
+                same_picture(first, rendering),
+                "{} {test}: {kind} gives another picture than {}; this is a defect of the program",
+                scene.name,
+                StructureKind::ALL[0]
+            );
+            let map = heatmap::of_rendering(rendering, quantity, scale_max);
+            artifacts.write(&format!("heatmaps/{}-{test}-{kind}.png", scene.name), &png::encode(&map))?;
+        }
+        let (structure, _) = built.convert(StructureKind::Dst)?;
+        let options = RenderOptions {
+            width: QUICK.picture_side,
+            height: QUICK.picture_side,
+            samples: QUICK.picture_samples,
+            count_work: false,
+            ..options
+        };
+        let rendering = render(&structure, scene, &options, |_| {})?;
+        let picture = png::encode(&png::develop(&rendering, 0.0));
+        artifacts.write(&format!("images/{}-{test}.png", scene.name), &picture)?;
+        done();
     }
     Ok(results)
 }
@@ -257,7 +278,7 @@ fn work_csv(document: &Document) -> anyhow::Result<Vec<u8>> {
     let mut csv = csv::Writer::from_writer(vec![]);
     for result in &document.scenes {
         for render in &result.renders {
-            for c in &render.classes {
+            for (c, counters) in render.classes.iter().filter_map(|c| Some((c, c.counters?))) {
                 csv.serialize(WorkLine {
                     scene: &result.scene,
                     test: render.test,
@@ -266,12 +287,12 @@ fn work_csv(document: &Document) -> anyhow::Result<Vec<u8>> {
                     class: &c.class,
                     rays: c.rays,
                     hits: c.hits,
-                    node_visits: c.counters.node_visits,
-                    plane_tests: c.counters.plane_tests,
-                    box_tests: c.counters.box_tests,
-                    triangle_tests: c.counters.triangle_tests,
-                    bytes: c.counters.bytes,
-                    stack_depth: c.counters.stack_depth,
+                    node_visits: counters.node_visits,
+                    plane_tests: counters.plane_tests,
+                    box_tests: counters.box_tests,
+                    triangle_tests: counters.triangle_tests,
+                    bytes: counters.bytes,
+                    stack_depth: counters.stack_depth,
                 })?;
             }
         }

@@ -1,11 +1,12 @@
 //! `dualsplit trace`: a saved ray stream, traced for closest hits.
 
+use super::work::{ClassRow, class_table};
 use crate::cli::{Global, TraceArgs, quality_name};
-use crate::console::{Report, fixed, progress, table};
+use crate::console::{Report, progress};
 use crate::input::{self, Built, check_writable};
 use golden::TraversalRay;
 use golden::ray_file::{FileHit, read_rays, write_hits};
-use golden::render::RayStream;
+use golden::render::{ClassTotals, RayClass, RayStream};
 use golden::structure::Structure;
 use golden::traverse::{Counters, Trace};
 use golden::{Mode, Ray};
@@ -31,41 +32,8 @@ struct Document {
     triangle_tests: u64,
     bytes: u64,
     stack_depth: u32,
-    classes: Vec<Class>,
+    classes: Vec<ClassRow>,
     out: Option<std::path::PathBuf>,
-}
-
-#[derive(Serialize)]
-struct Class {
-    class: String,
-    rays: u64,
-    hits: u64,
-    #[serde(flatten)]
-    counters: CounterRow,
-}
-
-/// [`Counters`] with the keys of result files.
-#[derive(Clone, Copy, Serialize)]
-pub struct CounterRow {
-    pub node_visits: u64,
-    pub plane_tests: u64,
-    pub box_tests: u64,
-    pub triangle_tests: u64,
-    pub bytes: u64,
-    pub stack_depth: u32,
-}
-
-impl From<Counters> for CounterRow {
-    fn from(c: Counters) -> Self {
-        Self {
-            node_visits: c.node_visits,
-            plane_tests: c.plane_tests,
-            box_tests: c.box_tests,
-            triangle_tests: c.triangle_tests,
-            bytes: c.bytes,
-            stack_depth: c.stack_depth,
-        }
-    }
 }
 
 pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
@@ -87,7 +55,7 @@ pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
     }
 
     let mut all = Counters::default();
-    classes.iter().for_each(|(_, _, _, counters)| all.merge(counters));
+    classes.iter().for_each(|(_, totals)| all.merge(&totals.counters));
     let document = Document {
         scene: scene.name,
         triangles: scene.mesh.triangles.len(),
@@ -105,10 +73,7 @@ pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
         triangle_tests: all.triangle_tests,
         bytes: all.bytes,
         stack_depth: all.stack_depth,
-        classes: classes
-            .into_iter()
-            .map(|(class, rays, hits, counters)| Class { class, rays, hits, counters: counters.into() })
-            .collect(),
+        classes: classes.iter().map(|(class, totals)| ClassRow::new(*class, totals, true)).collect(),
         out: args.out.clone(),
     };
     let text = text(&document);
@@ -122,25 +87,25 @@ fn closest(structure: &Structure, rays: &[Ray], mode: Mode) -> Vec<Option<FileHi
     rays.par_iter().with_min_len(1024).map(hit).collect()
 }
 
-/// Rays, hits and work of each class: name, rays, hits, counters.
-fn classes(structure: &Structure, stream: &RayStream, mode: Mode) -> Vec<(String, u64, u64, Counters)> {
+/// What the rays of each class find and cost.
+fn classes(structure: &Structure, stream: &RayStream, mode: Mode) -> Vec<(RayClass, ClassTotals)> {
     let bar = progress(stream.rays.len() as u64, "counting");
-    let class = |(class, rays): (golden::render::RayClass, &[Ray])| {
-        let count = |ray: &Ray| {
-            let mut counters = Counters::default();
-            let hit = TraversalRay::new(ray, mode)
-                .and_then(|ray| structure.closest_prepared(&ray, &mut counters))
-                .is_some();
-            (u64::from(hit), counters)
-        };
-        // Sums and maxima of integers: the order does not matter.
-        let (hits, counters) = rays.par_iter().map(count).reduce(Default::default, |mut a, b| {
-            a.0 += b.0;
-            a.1.merge(&b.1);
-            a
-        });
+    let observe = |ray: &Ray| {
+        let mut counters = Counters::default();
+        let hit = TraversalRay::new(ray, mode)
+            .and_then(|ray| structure.closest_prepared(&ray, &mut counters))
+            .is_some();
+        ClassTotals { rays: 1, hits: u64::from(hit), counters }
+    };
+    // Sums and maxima of integers: the order does not matter.
+    let merged = |mut a: ClassTotals, b: ClassTotals| {
+        a.merge(&b);
+        a
+    };
+    let class = |(class, rays): (RayClass, &[Ray])| {
+        let totals = rays.par_iter().map(observe).reduce(ClassTotals::default, merged);
         bar.inc(rays.len() as u64);
-        (class.to_string(), rays.len() as u64, hits, counters)
+        (class, totals)
     };
     let classes = stream.by_wave().map(class).collect();
     bar.finish_and_clear();
@@ -160,29 +125,6 @@ fn text(document: &Document) -> String {
         d.seconds,
         d.rays_per_second / 1e6
     );
-    let header = [
-        "class",
-        "rays",
-        "hits",
-        "node visits/ray",
-        "planes/ray",
-        "boxes/ray",
-        "triangles/ray",
-        "stack depth",
-    ];
-    let rows = d.classes.iter().map(|c| {
-        let per_ray = |x: u64| fixed(x as f64 / c.rays.max(1) as f64, 2);
-        [
-            c.class.clone(),
-            c.rays.to_string(),
-            c.hits.to_string(),
-            per_ray(c.counters.node_visits),
-            per_ray(c.counters.plane_tests),
-            per_ray(c.counters.box_tests),
-            per_ray(c.counters.triangle_tests),
-            c.counters.stack_depth.to_string(),
-        ]
-    });
-    text += &table(header, rows);
+    text += &class_table(&d.classes);
     text
 }

@@ -6,6 +6,7 @@ pub mod font;
 pub mod heatmap;
 pub mod png;
 
+use golden::render::Rendering;
 use std::path::{Path, PathBuf};
 
 /// The formats that pictures are read from and written to.
@@ -95,4 +96,11 @@ pub fn read(path: &Path) -> Result<(Format, Picture<f32>), PictureError> {
         Format::Exr => exr::decode(&bytes),
     };
     Ok((format, picture.map_err(|reason| error(PictureErrorKind::Damaged(reason)))?))
+}
+
+/// The largest finite radiance of any channel of `rendering`.
+#[must_use]
+pub fn max_radiance(rendering: &Rendering) -> f32 {
+    let channels = rendering.pixels.iter().flat_map(|pixel| pixel.rgb);
+    channels.filter(|x| x.is_finite()).fold(0.0, f32::max)
 }
