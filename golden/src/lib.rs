@@ -11,6 +11,7 @@ mod simd;
 pub mod stats;
 pub mod structure;
 pub mod traverse;
+pub mod tree_file;
 pub mod triangle;
 
 pub use aabb::Aabb;

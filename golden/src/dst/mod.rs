@@ -73,7 +73,7 @@ impl NodeCounts {
 
 impl Dst {
     /// A tree of these `words`, not yet validated.
-    fn new(root_box: Aabb, words: Vec<u32>, triangles: Arc<[Triangle]>) -> Self {
+    pub(crate) fn new(root_box: Aabb, words: Vec<u32>, triangles: Arc<[Triangle]>) -> Self {
         let mut memory = words;
         memory.extend([0; PADDING]);
         Self { root_box, memory, triangles }

@@ -23,7 +23,7 @@ pub use brute_force::brute_force;
 pub use leaves::{Leaf, Leaves};
 pub use observer::{Counters, NoObserver, Tests, Traversal};
 
-use crate::dst::{Dst, step};
+use crate::dst::{Dst, Step, step};
 use crate::ray::{Hit, Mode, Ray, TraversalRay};
 use query::Query;
 
@@ -69,6 +69,31 @@ impl Trace for Dst {
             dst::traverse(self, &mut query)
         }
     }
+}
+
+/// The nearest hit in `dst` with every node step executed by `step`: the specification's, or hardware's.
+///
+/// `step` is given a node's three words, the ray and the interval, and has to do what [`crate::dst::step`] does.
+pub fn closest_by_steps<O: Traversal>(
+    dst: &Dst,
+    ray: &TraversalRay,
+    observer: &mut O,
+    step: impl FnMut([u32; 3], &TraversalRay, f32, f32) -> Step,
+) -> Option<Hit> {
+    let mut query = Query::<false>::new(ray, &dst.triangles);
+    dst_steps::traverse(dst, &mut query, observer, step);
+    query.hit()
+}
+
+/// Whether anything in `dst` is hit, with every node step executed by `step` as in [`closest_by_steps`].
+pub fn occluded_by_steps<O: Traversal>(
+    dst: &Dst,
+    ray: &TraversalRay,
+    observer: &mut O,
+    step: impl FnMut([u32; 3], &TraversalRay, f32, f32) -> Step,
+) -> bool {
+    let mut query = Query::<true>::new(ray, &dst.triangles);
+    dst_steps::traverse(dst, &mut query, observer, step)
 }
 
 #[cfg(test)]

@@ -29,6 +29,7 @@
 
 pub mod exact;
 
+use crate::Aabb;
 use crate::ray::TraversalRay;
 use crate::simd::F32x4;
 use scenes::Mesh;
@@ -92,12 +93,31 @@ impl Triangle {
         std::array::from_fn(|i| std::array::from_fn(|k| self.rows[k][i]))
     }
 
+    /// The box of the three corners.
+    #[must_use]
+    pub fn aabb(&self) -> Aabb {
+        Aabb::of_points(&self.corners())
+    }
+
+    /// Whether this is what [`Triangle::new`] makes for some index and finite corners.
+    pub(crate) fn is_valid(&self) -> bool {
+        let is_tag = self.tag & !(TAG_LAST | TAG_INDEX) == TAG_BASE;
+        is_tag && self.rows.iter().flatten().all(|x| x.is_finite())
+    }
+
     /// Row `k` in lanes 0 to 2; lane 3 holds some finite number.
     #[inline(always)]
     fn row(&self, k: usize) -> F32x4 {
         let words: &[f32; 10] = bytemuck::cast_ref(self);
         F32x4::load(words[3 * k..3 * k + 4].try_into().expect("four words"))
     }
+}
+
+/// The triangles of the leaf that starts in slot `first`, up to the one that is marked as its last.
+pub(crate) fn leaf_at(triangles: &[Triangle], first: u32) -> Option<&[Triangle]> {
+    let rest = triangles.get(first as usize..)?;
+    let last = rest.iter().position(Triangle::is_last)?;
+    Some(&rest[..=last])
 }
 
 /// Where a ray meets a triangle, with the distance along the scaled direction.

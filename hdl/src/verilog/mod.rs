@@ -31,7 +31,9 @@ pub fn text(design: &Design) -> String {
         env!("CARGO_PKG_VERSION")
     );
     if design.modules.len() > 1 {
-        text.push_str("// One file holds the whole hierarchy of its top:\n// verilator lint_off DECLFILENAME\n");
+        text.push_str(
+            "// One file holds the whole hierarchy of its top:\n// verilator lint_off DECLFILENAME\n",
+        );
     }
     for module in &design.modules {
         text.push('\n');

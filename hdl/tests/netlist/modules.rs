@@ -98,12 +98,7 @@ impl Logic for Operators {
         self.replaced.next = self.with_bit.val();
     }
 }
-driven!(
-    Operators,
-    (),
-    [a, b, s, c],
-    [sum, difference, bitwise, shifted, compared, sliced, replaced]
-);
+driven!(Operators, (), [a, b, s, c], [sum, difference, bitwise, shifted, compared, sliced, replaced]);
 
 /// States of [`Machine`].
 #[derive(Clone, Copy, Debug, PartialEq, LogicState)]
@@ -385,9 +380,4 @@ impl Logic for Fields {
         self.body_out.next = self.packet.q.val().body;
     }
 }
-driven!(
-    Fields,
-    (clk),
-    [head, body, word, index],
-    [head_out, body_out, product, rotated, picked, nibble]
-);
+driven!(Fields, (clk), [head, body, word, index], [head_out, body_out, product, rotated, picked, nibble]);

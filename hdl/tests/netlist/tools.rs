@@ -19,6 +19,7 @@ pub fn available(tool: &str) -> bool {
 /// The same text when it fails.
 pub fn run(folder: &Path, command: &str, arguments: &[&str]) -> Result<String, String> {
     let output = Command::new(command).args(arguments).current_dir(folder).output().unwrap();
-    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let text =
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     if output.status.success() { Ok(text) } else { Err(text) }
 }

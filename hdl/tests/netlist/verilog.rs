@@ -56,7 +56,8 @@ pub fn check_design(module: &impl Block, design: &Design, black_boxes: &[&str]) 
         std::fs::write(folder.join("reference.v"), cross_check::reference_verilog(module, name)).unwrap();
         let script = cross_check::equivalence_script(design, &source, "reference.v", black_boxes);
         std::fs::write(folder.join("equivalence.ys"), script).unwrap();
-        run(folder, "yosys", &["-q", "-s", "equivalence.ys"]).unwrap_or_else(|error| panic!("{name}: {error}"));
+        run(folder, "yosys", &["-q", "-s", "equivalence.ys"])
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
 

@@ -86,11 +86,6 @@ impl MeshBuilder {
         self.counting
     }
 
-    /// Linear level of detail, in (0, 1].
-    pub(super) fn level(&self) -> f64 {
-        self.level
-    }
-
     /// The number of segments for a length that has `full` at full detail: never below `least`, never
     /// falling as the level rises, rounded up or down at random so that sums grow smoothly.
     pub(super) fn segments(&mut self, full: u32, least: u32) -> u32 {

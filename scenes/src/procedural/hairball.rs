@@ -3,6 +3,8 @@
 //! Stands for the hairball of Samuli Laine and Tero Karras (2.88 M triangles): long thin triangles in no
 //! particular direction, boxes that overlap everywhere, and no occlusion to speak of.
 
+use std::f64::consts::TAU;
+
 use glam::DVec3;
 
 use super::builder::{MeshBuilder, sin_cos};
@@ -36,8 +38,8 @@ fn wind(seed: u64, hair: u32, spans: u32) -> Vec<DVec3> {
     let sideways = root.cross(random.direction()).normalize_or(root.any_orthonormal_vector());
     let (start, end) = (random.range(0.6, 3.2), random.range(3.4, 5.0));
     let turn = random.range(1.5, 7.0);
-    let (curl, curl_phase) = (random.range(4.0, 16.0), random.range(0.0, 6.28));
-    let (wave, wave_phase) = (random.range(1.0, 4.0), random.range(0.0, 6.28));
+    let (curl, curl_phase) = (random.range(4.0, 16.0), random.range(0.0, TAU));
+    let (wave, wave_phase) = (random.range(1.0, 4.0), random.range(0.0, TAU));
     let amplitude = random.range(0.02, 0.25);
     let axis = root.cross(sideways);
     (0..=spans)

@@ -25,12 +25,6 @@ pub(super) fn block_on(b: &mut MeshBuilder, base: DVec3, size: DVec3, cells: [u3
     block(b, base - half, base + half + DVec3::new(0.0, size.y, 0.0), cells);
 }
 
-/// A flat parallelogram with the corners `origin`, `origin + u` and `origin + v`.
-pub(super) fn sheet(b: &mut MeshBuilder, origin: DVec3, u: DVec3, v: DVec3, cells: [u32; 2]) {
-    let [nu, nv] = cells.map(|n| b.segments(n, 1));
-    b.grid(Grid::open(nu, nv), |s, t| origin + u * s + v * t);
-}
-
 /// A surface of revolution around the y axis through the points (radius, y) of `profile`, from bottom to top
 /// seen from outside. A radius of 0 at either end closes it. The profile is a Catmull-Rom curve if `smooth`.
 pub(super) fn lathe(b: &mut MeshBuilder, profile: &[DVec2], smooth: bool, around: u32, along: u32) {

@@ -138,7 +138,7 @@ fn body(b: &mut MeshBuilder, seed: u64, spine: &Spine) {
         let ring = v * RINGS;
         let fall = ring - ring.floor();
         let belly = smooth_step((around.abs() - 0.66) * 12.0);
-        let slot = u * SCALES_AROUND + if ring as u64 % 2 == 0 { 0.0 } else { 0.5 };
+        let slot = u * SCALES_AROUND + if (ring as u64).is_multiple_of(2) { 0.0 } else { 0.5 };
         let across = (slot - slot.floor()) * 2.0 - 1.0;
         let scale = 0.13 * (1.0 - fall) * (1.0 - across * across);
         let plate = 0.1 * (1.0 - fall) * fall * 4.0;
@@ -184,7 +184,7 @@ fn head(b: &mut MeshBuilder, seed: u64) {
     });
     b.at(moved(0.0, -0.06, 0.2), |b| teeth(b, 0.02, -1.0));
     for side in [-1.0, 1.0] {
-        ball(b, DVec3::new(side * 0.15, 0.17, 0.31), 28, 20, |_| 0.05);
+        ball(b, DVec3::new(side * 0.2, 0.18, 0.4), 28, 20, |_| 0.06);
         horn(b, side);
         whiskers(b, side);
         ear(b, side);

@@ -24,9 +24,9 @@ pub(super) fn generate(b: &mut MeshBuilder, seed: u64) {
     let ferns = variants(b, 4, |b, i| fern(b, seed, SHAPE + u64::from(i), 1.2));
     let broad = variants(b, 4, |b, i| broad_leaved(b, seed, SHAPE + 100 + u64::from(i), 1.0));
     let tufts = variants(b, 5, |b, i| grass(b, seed, SHAPE + 200 + u64::from(i), 0.7));
-    let bushes = variants(b, 3, |b, i| bush(b, seed, SHAPE + 300 + 2 * u64::from(i), 1.5, 340));
+    let bushes = variants(b, 3, |b, i| bush(b, seed, SHAPE + 300 + 2 * u64::from(i), 1.5, 310));
     let palms = variants(b, 3, |b, i| palm(b, seed, SHAPE + 400 + 2 * u64::from(i), 4.5));
-    plant(b, seed, 0, &ferns, 64, 6, 1.0);
+    plant(b, seed, 0, &ferns, 56, 6, 1.0);
     plant(b, seed, 1, &broad, 140, 8, 0.9);
     plant(b, seed, 2, &tufts, 380, 12, 0.35);
     plant(b, seed, 3, &bushes, 60, 4, 1.4);

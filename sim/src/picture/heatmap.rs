@@ -118,9 +118,9 @@ pub fn draw(
 
 /// A number in at most eight characters.
 fn format_number(x: f64) -> String {
-    if x.fract() == 0.0 && x < 1e8 {
-        format!("{x}")
-    } else if (0.01..1e5).contains(&x) {
+    if (x.fract() == 0.0 || x >= 100.0) && x < 1e8 {
+        format!("{x:.0}")
+    } else if (0.01..100.0).contains(&x) {
         format!("{x:.2}")
     } else {
         format!("{x:.2e}")
@@ -152,9 +152,14 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        for (x, text) in
-            [(0.0, "0"), (123_456.0, "123456"), (2.5, "2.50"), (1e-5, "1.00e-5"), (3e9, "3.00e9")]
-        {
+        for (x, text) in [
+            (0.0, "0"),
+            (123_456.0, "123456"),
+            (2.5, "2.50"),
+            (1701.5, "1702"),
+            (1e-5, "1.00e-5"),
+            (3e9, "3.00e9"),
+        ] {
             assert_eq!(format_number(x), text);
         }
     }

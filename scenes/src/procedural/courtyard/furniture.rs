@@ -4,10 +4,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DVec2, DVec3};
 
-use super::builder::{Grid, MeshBuilder, moved, sin_cos, turned};
-use super::plants::grass;
-use super::random::fractal_noise;
-use super::shapes::{block_on, catmull_rom, lathe, torus, tube};
+use crate::procedural::builder::{Grid, MeshBuilder, moved, scaled, sin_cos, turned};
+use crate::procedural::plants::grass;
+use crate::procedural::random::fractal_noise;
+use crate::procedural::shapes::{block_on, catmull_rom, lathe, torus, tube};
 
 const CLOTH: u64 = 41;
 
@@ -110,7 +110,7 @@ pub(super) fn laid_table(b: &mut MeshBuilder, seed: u64) {
     lathe(b, &foot, true, 32, 40);
     tablecloth(b, seed, 0.6, top);
     for side in 0..4 {
-        b.at(turned(FRAC_PI_2 * f64::from(side)) * moved(0.0, top + 0.006, 0.4), |b| cover(b));
+        b.at(turned(FRAC_PI_2 * f64::from(side)) * moved(0.0, top + 0.006, 0.4), cover);
     }
     b.at(moved(0.0, top, 0.0), |b| {
         let vase = [
@@ -158,9 +158,7 @@ fn cover(b: &mut MeshBuilder) {
         p(0.0, 0.009),
     ];
     lathe(b, &plate, true, 56, 20);
-    b.optional(|b| {
-        b.at(moved(0.0, 0.012, 0.0) * super::builder::scaled(0.7), |b| lathe(b, &plate, true, 56, 20))
-    });
+    b.optional(|b| b.at(moved(0.0, 0.012, 0.0) * scaled(0.7), |b| lathe(b, &plate, true, 56, 20)));
     let glass = [
         p(0.0, 0.0),
         p(0.034, 0.0),
