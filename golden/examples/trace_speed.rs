@@ -38,6 +38,12 @@ fn main() {
     }
 }
 
+fn trace_all(structure: &impl Trace, rays: &[Ray], mode: Mode) {
+    for ray in rays {
+        black_box(structure.closest(ray, mode));
+    }
+}
+
 fn compare(name: &str, mesh: &scenes::Mesh) {
     let triangles: Vec<Triangle> = (0..mesh.triangles.len())
         .map(|i| {
@@ -73,16 +79,10 @@ fn compare(name: &str, mesh: &scenes::Mesh) {
                 let mode = if i % 2 == 1 { Mode::Fast } else { Mode::Robust };
                 let trace = &ours[(i - 1) / 2];
                 match trace {
-                    Structure::Bvh2(s) => {
-                        for ray in rays {
-                            black_box(s.closest(ray, mode));
-                        }
-                    }
-                    Structure::Dst(s) => {
-                        for ray in rays {
-                            black_box(s.closest(ray, mode));
-                        }
-                    }
+                    Structure::Bvh2(s) => trace_all(s, rays, mode),
+                    Structure::Bvh4(s) => trace_all(s, rays, mode),
+                    Structure::Bvh8(s) => trace_all(s, rays, mode),
+                    Structure::Dst(s) => trace_all(s, rays, mode),
                 }
             }
         };

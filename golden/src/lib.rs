@@ -8,6 +8,7 @@ pub mod ray;
 mod simd;
 pub mod structure;
 pub mod traverse;
+pub mod tree_file;
 pub mod triangle;
 
 pub use aabb::Aabb;

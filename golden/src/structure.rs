@@ -1,7 +1,7 @@
 //! All structures behind one name, and what they share.
 
-use crate::build::{BinaryTree, Content};
-use crate::bvh::Bvh2;
+use crate::build::{BinaryTree, Content, collapse_wide};
+use crate::bvh::{Bvh2, Bvh4, Bvh8};
 use crate::dst::{Dst, DstError};
 use crate::ray::{Hit, TraversalRay};
 use crate::traverse::{Trace, Traversal};
@@ -17,19 +17,25 @@ use std::sync::Arc;
 pub enum StructureKind {
     /// Binary hierarchy of boxes.
     Bvh2,
+    /// Hierarchy of up to four boxes to a node.
+    Bvh4,
+    /// Hierarchy of up to eight boxes to a node.
+    Bvh8,
     /// Dual-split tree.
     Dst,
 }
 
 impl StructureKind {
     /// All of them, in the order in which tables list them.
-    pub const ALL: [Self; 2] = [Self::Bvh2, Self::Dst];
+    pub const ALL: [Self; 4] = [Self::Bvh2, Self::Bvh4, Self::Bvh8, Self::Dst];
 
     /// The structure's name on the command line and in result files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Bvh2 => "bvh2",
+            Self::Bvh4 => "bvh4",
+            Self::Bvh8 => "bvh8",
             Self::Dst => "dst",
         }
     }
@@ -43,7 +49,7 @@ impl fmt::Display for StructureKind {
 
 /// The name of no structure.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no structure '{0}': take one of bvh2, dst")]
+#[error("there is no structure '{0}': take one of bvh2, bvh4, bvh8, dst")]
 pub struct UnknownStructure(String);
 
 impl FromStr for StructureKind {
@@ -59,6 +65,10 @@ impl FromStr for StructureKind {
 pub enum Structure {
     /// Binary hierarchy of boxes.
     Bvh2(Bvh2),
+    /// Hierarchy of up to four boxes to a node.
+    Bvh4(Bvh4),
+    /// Hierarchy of up to eight boxes to a node.
+    Bvh8(Bvh8),
     /// Dual-split tree.
     Dst(Dst),
 }
@@ -76,6 +86,8 @@ impl Structure {
         let triangles = Arc::clone(triangles);
         Ok(match kind {
             StructureKind::Bvh2 => Self::Bvh2(Bvh2::encode(tree, triangles)),
+            StructureKind::Bvh4 => Self::Bvh4(Bvh4::encode(&collapse_wide(tree), triangles)),
+            StructureKind::Bvh8 => Self::Bvh8(Bvh8::encode(&collapse_wide(tree), triangles)),
             StructureKind::Dst => Self::Dst(Dst::convert(tree, triangles)?),
         })
     }
@@ -85,6 +97,8 @@ impl Structure {
     pub fn kind(&self) -> StructureKind {
         match self {
             Self::Bvh2(_) => StructureKind::Bvh2,
+            Self::Bvh4(_) => StructureKind::Bvh4,
+            Self::Bvh8(_) => StructureKind::Bvh8,
             Self::Dst(_) => StructureKind::Dst,
         }
     }
@@ -94,6 +108,8 @@ impl Structure {
     pub fn node_bytes(&self) -> usize {
         match self {
             Self::Bvh2(bvh) => bvh.node_bytes(),
+            Self::Bvh4(bvh) => bvh.node_bytes(),
+            Self::Bvh8(bvh) => bvh.node_bytes(),
             Self::Dst(dst) => dst.node_bytes(),
         }
     }
@@ -104,6 +120,8 @@ impl Trace for Structure {
     fn closest_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit> {
         match self {
             Self::Bvh2(bvh) => bvh.closest_prepared(ray, observer),
+            Self::Bvh4(bvh) => bvh.closest_prepared(ray, observer),
+            Self::Bvh8(bvh) => bvh.closest_prepared(ray, observer),
             Self::Dst(dst) => dst.closest_prepared(ray, observer),
         }
     }
@@ -112,6 +130,8 @@ impl Trace for Structure {
     fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
         match self {
             Self::Bvh2(bvh) => bvh.occluded_prepared(ray, observer),
+            Self::Bvh4(bvh) => bvh.occluded_prepared(ray, observer),
+            Self::Bvh8(bvh) => bvh.occluded_prepared(ray, observer),
             Self::Dst(dst) => dst.occluded_prepared(ray, observer),
         }
     }

@@ -10,8 +10,10 @@
 //! beside the array, as for the dual-split tree.
 
 mod step;
+mod validate;
 
 pub use step::{BoxStep, box_step};
+pub use validate::BvhDefect;
 
 use crate::Aabb;
 use crate::build::{Content, Tree};

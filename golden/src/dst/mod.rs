@@ -73,7 +73,7 @@ impl NodeCounts {
 
 impl Dst {
     /// A tree of these `words`, not yet validated.
-    fn new(root_box: Aabb, words: Vec<u32>, triangles: Arc<[Triangle]>) -> Self {
+    pub(crate) fn new(root_box: Aabb, words: Vec<u32>, triangles: Arc<[Triangle]>) -> Self {
         let mut memory = words;
         memory.extend([0; PADDING]);
         Self { root_box, memory, triangles }
@@ -95,6 +95,17 @@ impl Dst {
     pub fn node(&self, offset: u32) -> [u32; NODE_WORDS as usize] {
         let offset = offset as usize;
         self.memory[offset..offset + NODE_WORDS as usize].try_into().expect("three words")
+    }
+
+    /// [`Dst::node`] without a check, for the innermost loop.
+    ///
+    /// # Safety
+    /// `offset` has to be below the number of words, as is every offset that a header of a valid tree holds.
+    #[inline(always)]
+    pub(crate) unsafe fn node_unchecked(&self, offset: u32) -> [u32; NODE_WORDS as usize] {
+        debug_assert!((offset as usize) < self.words().len());
+        // SAFETY: the caller's promise; PADDING words follow the tree, and u32 is aligned as an array of it is.
+        unsafe { *self.memory.as_ptr().add(offset as usize).cast() }
     }
 
     /// Bytes of the nodes, without the triangles.

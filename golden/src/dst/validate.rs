@@ -3,8 +3,8 @@
 use super::header::{Header, LEAF_WORDS, NODE_WORDS, OFFSET_LIMIT};
 use super::{Dst, MAX_CARVES};
 use crate::Aabb;
-use crate::build::{BinaryTree, Content};
-use crate::triangle::Triangle;
+use crate::build::{BinaryTree, Content, MAX_DEPTH};
+use crate::triangle::{Triangle, leaf_at};
 
 /// Why a dual-split tree does not stand for its hierarchy.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -47,6 +47,12 @@ pub enum DstDefect {
         /// Word offset.
         offset: u32,
     },
+    /// A path has more than [`MAX_DEPTH`] splits.
+    #[error("offset {offset}: more than {MAX_DEPTH} splits deep")]
+    Depth {
+        /// Word offset.
+        offset: u32,
+    },
     /// Words of the tree are reached twice or never.
     #[error("{reached} of {words} words are reached")]
     Coverage {
@@ -77,8 +83,8 @@ impl Dst {
             }
             match (record.end, expected.content) {
                 (End::Leaf { first_triangle }, Content::Leaf { .. }) => {
-                    let found = self.leaf(first_triangle).map(Triangle::index);
-                    if !found.eq(tree.triangles(expected).iter().copied()) {
+                    let found = leaf_at(&self.triangles, first_triangle).unwrap_or_default();
+                    if !found.iter().map(Triangle::index).eq(tree.triangles(expected).iter().copied()) {
                         return Err(DstDefect::Node { offset: record.offset });
                     }
                 }
@@ -104,11 +110,53 @@ impl Dst {
         }
     }
 
-    /// The triangles of the leaf that starts at `first`, up to the one that is marked as its last.
-    pub(super) fn leaf(&self, first: u32) -> impl Iterator<Item = &Triangle> {
-        let rest = self.triangles.get(first as usize..).unwrap_or_default();
-        let last = rest.iter().position(Triangle::is_last).map_or(0, |i| i + 1);
-        rest[..last].iter()
+    /// Proves, without the hierarchy that it comes from, that this is a dual-split tree over its triangles: every word and
+    /// every triangle belongs to one node, every node's box is exactly the union of the boxes inside,
+    /// offsets are in range and no path has more than [`MAX_DEPTH`] splits.
+    ///
+    /// # Errors
+    /// The first defect that is found.
+    pub fn validate_alone(&self) -> Result<(), DstDefect> {
+        let (mut words, mut triangles) = (0, 0);
+        self.check(0, self.root_box, 0, &mut words, &mut triangles)?;
+        if words == self.words().len() && triangles == self.triangles.len() {
+            Ok(())
+        } else {
+            Err(DstDefect::Coverage { reached: words + triangles, words: self.words().len() })
+        }
+    }
+
+    /// Checks the record at `offset` and returns the union of what is inside. The recursion is as deep as the tree.
+    fn check(
+        &self,
+        offset: u32,
+        region: Aabb,
+        depth: u32,
+        words: &mut usize,
+        triangles: &mut usize,
+    ) -> Result<Aabb, DstDefect> {
+        let record = self.record(offset, region)?;
+        *words += record.words;
+        if *words > self.words().len() {
+            return Err(DstDefect::Coverage { reached: *words, words: self.words().len() });
+        }
+        let inside = match record.end {
+            End::Leaf { first_triangle } => {
+                let leaf =
+                    leaf_at(&self.triangles, first_triangle).ok_or(DstDefect::OutOfRange { offset })?;
+                *triangles += leaf.len();
+                leaf.iter().map(Triangle::aabb).fold(Aabb::EMPTY, Aabb::union)
+            }
+            End::Split { .. } if depth == MAX_DEPTH => return Err(DstDefect::Depth { offset }),
+            End::Split { children: [left, right] } => self
+                .check(left.0, left.1, depth + 1, words, triangles)?
+                .union(self.check(right.0, right.1, depth + 1, words, triangles)?),
+        };
+        if inside.to_bits() == record.region.to_bits() {
+            Ok(inside)
+        } else {
+            Err(DstDefect::Box { offset, found: record.region, expected: inside })
+        }
     }
 
     /// Follows the carves from `offset` to the split or leaf inside, starting with the box `region`.

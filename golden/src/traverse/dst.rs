@@ -43,43 +43,36 @@ pub(super) fn traverse<const ANY: bool>(dst: &Dst, query: &mut Query<'_, ANY>) -
                 }
                 break;
             }
-            let node = dst.node(here.target);
+            // SAFETY: a `Dst` is only made by conversion or by a validated load; its offsets are in range.
+            let node = unsafe { dst.node_unchecked(here.target) };
             let header = node[0];
+            let (entry, exit) = (F32x4::splat(here.t_min), F32x4::splat(here.t_max));
             if CARVE.get(header) == 1 {
                 // The second or third of a chain; the first was tested with its split.
-                let (t, exit_mask) = rows.distances(node, node);
-                let (entry, exit) = fold(t, exit_mask, here, here);
-                if !(entry.x() <= exit.x()) {
+                let (entry, exit) = rows.carve(node, node, entry, exit);
+                if entry.le(exit) & 1 == 0 {
                     break;
                 }
                 here = Place { target: target(header, 0), t_min: entry.x(), t_max: exit.x() };
                 continue;
             }
-            let axis = (AXIS.get(header) as usize).min(2);
-            let negative = ray.is_negative(axis);
-            let (left, size) = (OFFSET.get(header), SIZE.get(header));
-            let (near_at, far_at, near_plane, far_plane) = if negative {
-                (left + size, left, node[2], node[1])
-            } else {
-                (left, left + size, node[1], node[2])
-            };
-            let t_near = ray.exit(f32::from_bits(near_plane), axis);
-            let t_far = ray.entry(f32::from_bits(far_plane), axis);
-            let near_part = Place { t_max: if t_near < here.t_max { t_near } else { here.t_max }, ..here };
-            let far_part = Place { t_min: if t_far > here.t_min { t_far } else { here.t_min }, ..here };
-
-            let (near, far) = (dst.node(near_at), dst.node(far_at));
-            let (t, exit_mask) = rows.distances(near, far);
-            let (entry, exit) = fold(t, exit_mask, near_part, far_part);
-            let near = Place { target: target(near[0], near_at), t_min: entry.x(), t_max: exit.x() };
-            let far = Place { target: target(far[0], far_at), t_min: entry.z(), t_max: exit.z() };
+            let left_at = OFFSET.get(header);
+            let right_at = left_at + SIZE.get(header);
+            // SAFETY: as above.
+            let (left, right) = unsafe { (dst.node_unchecked(left_at), dst.node_unchecked(right_at)) };
+            let (entry, exit) = rows.split(node, entry, exit);
+            let (entry, exit) = rows.carve(left, right, entry, exit);
+            let left = Place { target: target(left[0], left_at), t_min: entry.x(), t_max: exit.x() };
+            let right = Place { target: target(right[0], right_at), t_min: entry.z(), t_max: exit.z() };
             match entry.le(exit) & 0b101 {
                 0b101 => {
+                    let (near, far) =
+                        if rows.is_negative(AXIS.get(header)) { (right, left) } else { (left, right) };
                     stack.push(far);
                     here = near;
                 }
-                0b001 => here = near,
-                0b100 => here = far,
+                0b001 => here = left,
+                0b100 => here = right,
                 _ => break,
             }
         }
@@ -101,13 +94,4 @@ pub(super) fn traverse<const ANY: bool>(dst: &Dst, query: &mut Query<'_, ANY>) -
 fn target(header: u32, at: u32) -> u32 {
     let is_split = header & (CARVE.mask() << CARVE.low | LEAF.mask() << LEAF.low) == 0;
     if is_split { at } else { header & (LEAF.mask() << LEAF.low | OFFSET.mask()) }
-}
-
-/// Entry and exit of the near child in lanes 0 and 1, of the far child in lanes 2 and 3.
-#[inline(always)]
-fn fold(t: F32x4, exit_mask: F32x4, near: Place, far: Place) -> (F32x4, F32x4) {
-    // Ones make a NaN of a distance that is not to be folded.
-    let entry = t.or(exit_mask).max(F32x4::xxyy(near.t_min, far.t_min));
-    let exit = t.or_not(exit_mask).min(F32x4::xxyy(near.t_max, far.t_max));
-    (entry.max(entry.yxwz()), exit.min(exit.yxwz()))
 }

@@ -1,34 +1,56 @@
-//! Exact signs of the three edge functions of a ray and a triangle.
+//! Exact signs of the edge functions of a ray and a triangle, and of the distance between them.
 //!
 //! With the corners `a, b, c` relative to the ray's origin and its direction `d`, the edge functions are the triple
 //! products `U = d.(c x b)`, `V = d.(a x c)`, `W = d.(b x a)`; the ray's line meets the closed triangle if
-//! no two of them have opposite signs and not all are zero. The inputs are floats, hence integers times a power of
-//! two, and so are the differences and the products: integer arithmetic gives every sign exactly. Doubles with an
-//! error bound decide all but the near-zero cases (Shewchuk's filter, "Adaptive Precision Floating-Point
-//! Arithmetic", 1997), 128-bit integers those whose coordinates span few binades, big integers the rest.
+//! no two of them have opposite signs and not all are zero, at `t = a.(c x b) / (U + V + W)`. The inputs are
+//! floats, hence integers times a power of two, and so are the differences and the products: integer
+//! arithmetic gives every sign exactly. Doubles with an error bound decide all but the near-zero cases (Shewchuk's
+//! filter, "Adaptive Precision Floating-Point Arithmetic", 1997), 128-bit integers those whose coordinates span few
+//! binades, big integers the rest.
 
 use num_bigint::BigInt;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed as _, ToPrimitive, Zero};
+use std::cmp::Ordering;
 
 type V3<T> = [T; 3];
 
-/// The edge functions `[U, V, W]`, each with its exact sign (or exactly zero) and of nearly the right size, up to
-/// one positive factor common to the three. All inputs must be finite.
-#[must_use]
-pub fn edge_functions(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> V3<f64> {
-    filtered(origin, direction, corners)
-        .or_else(|| in_128_bits(origin, direction, corners))
-        .unwrap_or_else(|| in_big_integers(origin, direction, corners))
+/// What the exact evaluation tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Signed {
+    /// `[U, V, W]`, each with its exact sign (or exactly zero) and of nearly the right size, up to one positive
+    /// factor common to the three.
+    pub edges: V3<f64>,
+    /// How `t` compares with zero, if the line meets the triangle.
+    pub depth_sign: Ordering,
 }
 
-/// Doubles: rounding in the three differences, the products and the sums adds up to fewer than 8 half-units of
+/// Evaluates the edge functions and the sign of the distance. All inputs must be finite.
+#[must_use]
+pub fn evaluate(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> Signed {
+    let [u, v, w, volume] = filtered(origin, direction, corners)
+        .or_else(|| in_128_bits(origin, direction, corners))
+        .unwrap_or_else(|| in_big_integers(origin, direction, corners));
+    let edges = [u, v, w];
+    let forward = edges.iter().all(|x| *x >= 0.0);
+    let depth = if forward { volume } else { -volume };
+    Signed { edges, depth_sign: depth.partial_cmp(&0.0).expect("no product is NaN") }
+}
+
+/// The factors of `U`, `V`, `W` and `a.(c x b)`.
+fn factors<T>([a, b, c]: &V3<V3<T>>, d: &V3<T>) -> [[V3<T>; 3]; 4]
+where
+    T: Clone,
+{
+    [[d, c, b], [d, a, c], [d, b, a], [a, c, b]].map(|triple| triple.map(V3::clone))
+}
+
+/// Doubles: rounding in the three differences, the products and the sums adds up to at most 8 half-units of
 /// the permanent; twice that is asked for. Nothing over- or underflows, since the inputs are single precision.
-fn filtered(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> Option<V3<f64>> {
+fn filtered(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> Option<[f64; 4]> {
     const BOUND: f64 = 16.0 * f64::EPSILON / 2.0;
-    let [a, b, c] =
+    let corners =
         corners.map(|v| -> V3<f64> { std::array::from_fn(|k| f64::from(v[k]) - f64::from(origin[k])) });
-    let d = direction.map(f64::from);
-    let edges = [(c, b), (a, c), (b, a)].map(|(p, q)| {
+    let products = factors(&corners, &direction.map(f64::from)).map(|[d, p, q]| {
         let (mut sum, mut permanent) = (0.0, 0.0);
         for (k, component) in d.iter().enumerate() {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -38,7 +60,7 @@ fn filtered(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> Opti
         }
         (sum, permanent * BOUND)
     });
-    edges.iter().all(|(sum, bound)| sum.abs() > *bound).then(|| edges.map(|(sum, _)| sum))
+    products.iter().all(|(sum, bound)| sum.abs() > *bound).then(|| products.map(|(sum, _)| sum))
 }
 
 /// `x` as `mantissa * 2^exponent`.
@@ -59,8 +81,8 @@ fn span(values: impl Iterator<Item = f32>) -> (i32, u32) {
     if low == i32::MAX { (0, 0) } else { (low, (high - low) as u32) }
 }
 
-fn in_128_bits(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> Option<V3<f64>> {
-    // Two differences of 41 bits, a component of 40, a sum of six products: 41 + 41 + 40 + 3 = 125 bits and a sign.
+fn in_128_bits(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> Option<[f64; 4]> {
+    // Differences have at most 41 bits, so three of them and a sum of six products at most 126 and a sign.
     const BITS: u32 = 40;
     let (e_point, bits_point) = span(corners.iter().flatten().chain(&origin).copied());
     let (e_direction, bits_direction) = span(direction.into_iter());
@@ -71,11 +93,10 @@ fn in_128_bits(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> O
         let (mantissa, exponent) = decompose(x);
         if mantissa == 0 { 0 } else { i128::from(mantissa) << (exponent - e) }
     };
-    let d = direction.map(|x| integer(x, e_direction));
-    let [a, b, c] = corners.map(|v| -> V3<i128> {
+    let corners = corners.map(|v| -> V3<i128> {
         std::array::from_fn(|k| integer(v[k], e_point) - integer(origin[k], e_point))
     });
-    Some([(c, b), (a, c), (b, a)].map(|(p, q)| {
+    Some(factors(&corners, &direction.map(|x| integer(x, e_direction))).map(|[d, p, q]| {
         let term = |k: usize| {
             let (i, j) = ((k + 1) % 3, (k + 2) % 3);
             d[k] * (p[i] * q[j] - p[j] * q[i])
@@ -84,40 +105,38 @@ fn in_128_bits(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> O
     }))
 }
 
-fn in_big_integers(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> V3<f64> {
+fn in_big_integers(origin: V3<f32>, direction: V3<f32>, corners: &[V3<f32>; 3]) -> [f64; 4] {
     let (e_point, _) = span(corners.iter().flatten().chain(&origin).copied());
     let (e_direction, _) = span(direction.into_iter());
     let integer = |x: f32, e: i32| -> BigInt {
         let (mantissa, exponent) = decompose(x);
         if mantissa == 0 { BigInt::zero() } else { BigInt::from(mantissa) << (exponent - e) }
     };
-    let d = direction.map(|x| integer(x, e_direction));
-    let [a, b, c] = corners.map(|v| -> V3<BigInt> {
+    let corners = corners.map(|v| -> V3<BigInt> {
         std::array::from_fn(|k| integer(v[k], e_point) - integer(origin[k], e_point))
     });
-    let edges = [(&c, &b), (&a, &c), (&b, &a)].map(|(p, q)| {
-        let term = |k: usize| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            &d[k] * (&p[i] * &q[j] - &p[j] * &q[i])
-        };
-        term(0) + term(1) + term(2)
-    });
-    // Keep the largest near 2^900, so that only what is 2^-1900 of it could vanish; such a value becomes 1.
-    let bits = edges.iter().map(BigInt::bits).max().unwrap_or(0);
-    edges.map(|x| {
-        let scaled: BigInt = if bits > 900 { &x >> (bits - 900) } else { x.clone() };
-        match (x.is_zero(), scaled.abs() > BigInt::one()) {
-            (true, _) => 0.0,
-            (false, true) => scaled.to_f64().unwrap_or(f64::MAX),
-            (false, false) => {
-                if x.is_negative() {
-                    -1.0
-                } else {
-                    1.0
-                }
-            }
-        }
-    })
+    let [u, v, w, volume] =
+        factors(&corners, &direction.map(|x| integer(x, e_direction))).map(|[d, p, q]| {
+            let term = |k: usize| {
+                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                &d[k] * (&p[i] * &q[j] - &p[j] * &q[i])
+            };
+            term(0) + term(1) + term(2)
+        });
+    let bits = [&u, &v, &w].into_iter().map(BigInt::bits).max().unwrap_or(0);
+    let [u, v, w] = [u, v, w].map(|x| to_double(&x, bits));
+    [u, v, w, to_double(&volume, volume.bits())]
+}
+
+/// `x` as a double, scaled so that a number of `bits` bits comes near 2^900; what vanishes beside it becomes 1.
+fn to_double(x: &BigInt, bits: u64) -> f64 {
+    let scaled = if bits > 900 { x >> (bits - 900) } else { x.clone() };
+    match (x.is_zero(), scaled.abs() > BigInt::one()) {
+        (true, _) => 0.0,
+        (false, true) => scaled.to_f64().unwrap_or(f64::MAX),
+        (false, false) if x.is_negative() => -1.0,
+        (false, false) => 1.0,
+    }
 }
 
 #[cfg(test)]
@@ -125,7 +144,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn signs(x: V3<f64>) -> V3<i32> {
+    fn signs(x: [f64; 4]) -> [i32; 4] {
         x.map(|x| if x == 0.0 { 0 } else { x.signum() as i32 })
     }
 
@@ -163,7 +182,7 @@ mod tests {
             // Aim at the midpoint of edge ab: twice the direction keeps it an integer.
             let f = |v: [i16; 3]| v.map(f32::from);
             let d = std::array::from_fn(|k| f32::from(a[k] + b[k] - 2 * o[k]));
-            prop_assert_eq!(edge_functions(f(o), d, &[f(a), f(b), f(c)])[2], 0.0);
+            prop_assert_eq!(evaluate(f(o), d, &[f(a), f(b), f(c)]).edges[2], 0.0);
         }
     }
 }

@@ -17,6 +17,10 @@
 //! covers the rounding of the bound itself. `M` is required to lie in [`RANGE`] so that nothing overflows and what
 //! underflows is far below the bound.
 //!
+//! The sign of `t`, which decides whether a ray that starts on a triangle hits it, is that of `depth = U z_a + V z_b + W z_c`,
+//! off by at most `3 bound M` for the edge functions and `9 u M max(U, V, W)` for its own rounding; nearer to zero,
+//! [`exact`] decides again.
+//!
 //! # Distance
 //! `t` is clamped to the interval in which the ray crosses the triangle's bounding box, computed with the same planes
 //! and reciprocals as in a tree. Every box around the triangle has, by monotone rounding, an interval that
@@ -25,9 +29,11 @@
 
 pub mod exact;
 
+use crate::Aabb;
 use crate::ray::TraversalRay;
 use crate::simd::F32x4;
 use scenes::Mesh;
+use std::cmp::Ordering;
 
 const UNIT_ROUNDOFF: f32 = 1.0 / 16_777_216.0;
 
@@ -87,12 +93,31 @@ impl Triangle {
         std::array::from_fn(|i| std::array::from_fn(|k| self.rows[k][i]))
     }
 
+    /// The box of the three corners.
+    #[must_use]
+    pub fn aabb(&self) -> Aabb {
+        Aabb::of_points(&self.corners())
+    }
+
+    /// Whether this is what [`Triangle::new`] makes for some index and finite corners.
+    pub(crate) fn is_valid(&self) -> bool {
+        let is_tag = self.tag & !(TAG_LAST | TAG_INDEX) == TAG_BASE;
+        is_tag && self.rows.iter().flatten().all(|x| x.is_finite())
+    }
+
     /// Row `k` in lanes 0 to 2; lane 3 holds some finite number.
     #[inline(always)]
     fn row(&self, k: usize) -> F32x4 {
         let words: &[f32; 10] = bytemuck::cast_ref(self);
         F32x4::load(words[3 * k..3 * k + 4].try_into().expect("four words"))
     }
+}
+
+/// The triangles of the leaf that starts in slot `first`, up to the one that is marked as its last.
+pub(crate) fn leaf_at(triangles: &[Triangle], first: u32) -> Option<&[Triangle]> {
+    let rest = triangles.get(first as usize..)?;
+    let last = rest.iter().position(Triangle::is_last)?;
+    Some(&rest[..=last])
 }
 
 /// Where a ray meets a triangle, with the distance along the scaled direction.
@@ -154,7 +179,7 @@ impl TriangleTest {
             return None;
         }
         if (positive == 7 || negative == 7) && in_range {
-            self.locate(ray, triangle, edges, az, t_max)
+            self.locate(ray, triangle, edges, az, (m, bound), t_max)
         } else {
             decide_exactly(ray, triangle, self.axes[2], t_max)
         }
@@ -168,12 +193,17 @@ impl TriangleTest {
         triangle: &Triangle,
         edges: F32x4,
         az: F32x4,
+        (m, bound): (f32, f32),
         t_max: f32,
     ) -> Option<TriangleHit> {
-        let depth = edges.mul(az);
+        let depths = edges.mul(az);
+        let depth = depths.x() + depths.y() + depths.z();
+        if depth.abs() <= 4.0 * m * (bound + 4.0 * UNIT_ROUNDOFF * largest_lane(edges.abs())) {
+            return decide_exactly(ray, triangle, self.axes[2], t_max);
+        }
         let determinant = edges.x() + edges.y() + edges.z();
         let inv_determinant = 1.0 / determinant;
-        let t = (depth.x() + depth.y() + depth.z()) * self.shear[2] * inv_determinant;
+        let t = depth * self.shear[2] * inv_determinant;
         let hit = TriangleHit { t, u: edges.y() * inv_determinant, v: edges.z() * inv_determinant };
         within_box(ray, triangle, hit, t_max)
     }
@@ -189,7 +219,7 @@ fn largest_lane(x: F32x4) -> f32 {
 #[inline(never)]
 fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, axis: usize, t_max: f32) -> Option<TriangleHit> {
     let corners = triangle.corners();
-    let edges = exact::edge_functions(ray.origin, ray.direction, &corners);
+    let exact::Signed { edges, depth_sign } = exact::evaluate(ray.origin, ray.direction, &corners);
     let positive = edges.iter().any(|x| *x > 0.0);
     let negative = edges.iter().any(|x| *x < 0.0);
     if positive == negative {
@@ -202,8 +232,14 @@ fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, axis: usize, t_max: f
     let sum = weights[0] + weights[1] + weights[2];
     let depth: f64 =
         (0..3).map(|i| weights[i] * (f64::from(corners[i][axis]) - f64::from(ray.origin[axis]))).sum();
-    let t = depth / sum / f64::from(ray.direction[axis]);
-    let hit = TriangleHit { t: t as f32, u: (weights[1] / sum) as f32, v: (weights[2] / sum) as f32 };
+    let t = (depth / sum / f64::from(ray.direction[axis])) as f32;
+    // Rounding must not move the triangle to the other side of the origin.
+    let t = match depth_sign {
+        Ordering::Less => t.min(-f32::MIN_POSITIVE),
+        Ordering::Equal => 0.0,
+        Ordering::Greater => t.max(0.0),
+    };
+    let hit = TriangleHit { t, u: (weights[1] / sum) as f32, v: (weights[2] / sum) as f32 };
     within_box(ray, triangle, hit, t_max)
 }
 
@@ -225,6 +261,3 @@ fn within_box(ray: &TraversalRay, triangle: &Triangle, hit: TriangleHit, t_max: 
     let t = if t > exit { exit } else { t };
     (entry <= exit && ray.t_min <= t && t <= t_max).then_some(TriangleHit { t, ..hit })
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,6 +1,9 @@
 //! Meshes for tests, benchmarks and examples.
 #![allow(dead_code, reason = "each user needs a part")]
 
+pub mod oracle;
+pub mod shapes;
+
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;

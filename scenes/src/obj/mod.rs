@@ -57,17 +57,14 @@ fn read_text(source: impl BufRead, name: &Path) -> Result<Mesh, ObjError> {
     if let Some(fault) = text.into_fault() {
         return Err(fault);
     }
-    let rejected = |e| ObjError { path: name.to_owned(), line: None, kind: ObjErrorKind::Rejected(e) };
-    let (models, _materials) = parsed.map_err(rejected)?;
-    let mut mesh = Mesh::default();
-    for model in models {
-        let first =
-            u32::try_from(mesh.positions.len()).map_err(|_| rejected(tobj::LoadError::GenericFailure))?;
-        mesh.positions.extend_from_slice(model.mesh.positions.as_chunks().0);
-        let triangles = model.mesh.indices.as_chunks().0;
-        mesh.triangles.extend(triangles.iter().map(|t: &[u32; 3]| t.map(|i| first + i)));
-    }
-    Ok(mesh)
+    let error = |kind| ObjError { path: name.to_owned(), line: None, kind };
+    let (models, _materials) = parsed.map_err(|e| error(ObjErrorKind::Rejected(e)))?;
+    // The checked text has no objects and groups, hence one model with all faces in file order.
+    let model = models.into_iter().next().ok_or_else(|| error(ObjErrorKind::NoTriangle))?;
+    Ok(Mesh {
+        positions: model.mesh.positions.as_chunks().0.to_vec(),
+        triangles: model.mesh.indices.as_chunks().0.to_vec(),
+    })
 }
 
 #[cfg(test)]

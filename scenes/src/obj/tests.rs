@@ -196,10 +196,11 @@ fn missing_files() {
 
 #[test]
 fn too_many_triangles() {
-    // One polygon of 2^20 + 2 corners, 64 times, and one triangle more.
-    let polygon = format!("f{}\n", " 1".repeat((1 << 20) + 2));
-    let text = format!("{SQUARE}{}f 1 2 3\n", polygon.repeat(64));
-    assert_rejected(text.as_bytes(), Some(4 + 64 + 1), "TooManyTriangles");
+    // One polygon with three corners more than there may be triangles, and the same with two more.
+    let polygon = |corners: usize| format!("{SQUARE}f{}\n", " 1".repeat(corners));
+    assert_rejected(polygon(crate::MAX_TRIANGLES + 3).as_bytes(), Some(5), "TooManyTriangles");
+    let most = format!("{}v", polygon(crate::MAX_TRIANGLES + 2));
+    assert_rejected(most.as_bytes(), Some(6), "Truncated");
 }
 
 #[test]

@@ -42,6 +42,12 @@ impl Grid {
     }
 }
 
+/// Something that is built once and placed often.
+pub(super) struct Part {
+    mesh: Mesh,
+    triangles: u64,
+}
+
 /// Makes a mesh, or counts its triangles.
 pub(super) struct MeshBuilder {
     mesh: Mesh,
@@ -80,22 +86,43 @@ impl MeshBuilder {
         self.counting
     }
 
-    /// Linear level of detail, in (0, 1].
-    pub(super) fn level(&self) -> f64 {
-        self.level
-    }
-
-    /// Marks the beginning of an item, after which [`MeshBuilder::segments`] no longer depends on the calls
-    /// before: needed where the number of items changes with the level.
-    pub(super) fn item(&mut self, kind: u64, item: u64) {
-        self.dither = Random::new(0, kind, item);
-    }
-
     /// The number of segments for a length that has `full` at full detail: never below `least`, never
     /// falling as the level rises, rounded up or down at random so that sums grow smoothly.
     pub(super) fn segments(&mut self, full: u32, least: u32) -> u32 {
         // At full detail the sum stays below full + 1, as a random number is below 1.
         ((f64::from(full) * self.level + self.dither.unit()) as u32).max(least)
+    }
+
+    /// Builds between `least` and `full` items, in proportion to the level. `build` gets the number of the
+    /// item and how many there are.
+    pub(super) fn repeat(&mut self, full: u32, least: u32, mut build: impl FnMut(&mut Self, u32, u32)) {
+        let count = self.segments(full, least);
+        let key = self.dither.bits();
+        // Items have random numbers of their own, lest those of what follows depend on the level.
+        let outer = self.dither.clone();
+        for item in 0..count {
+            self.dither = Random::new(key, 0, item.into());
+            build(self, item, count);
+        }
+        self.dither = outer;
+    }
+
+    /// Builds something at full detail, and with a chance equal to the level below it.
+    pub(super) fn optional(&mut self, mut build: impl FnMut(&mut Self)) {
+        self.repeat(1, 0, |b, _, _| build(b));
+    }
+
+    /// [`MeshBuilder::optional`] if `small`, and otherwise always.
+    pub(super) fn optional_if(&mut self, small: bool, mut build: impl FnMut(&mut Self)) {
+        self.repeat(1, u32::from(!small), |b, _, _| build(b));
+    }
+
+    /// A part to be placed by [`MeshBuilder::instance`], at the level of this builder.
+    pub(super) fn part(&mut self, build: impl FnOnce(&mut Self)) -> Part {
+        let mut inner = Self { counting: self.counting, ..Self::new(self.level) };
+        inner.dither = Random::new(self.dither.bits(), 0, 0);
+        build(&mut inner);
+        Part { triangles: inner.triangles, mesh: inner.finish() }
     }
 
     /// Runs `build` in the coordinates of `place`.
@@ -137,22 +164,17 @@ impl MeshBuilder {
         }
     }
 
-    /// Adds a copy of `part`, moved by `place`.
-    pub(super) fn instance(&mut self, part: &Mesh, place: DAffine3) {
-        self.triangles += part.triangles.len() as u64;
+    /// Adds a copy of `part`.
+    pub(super) fn instance(&mut self, part: &Part, place: DAffine3) {
+        self.triangles += part.triangles;
         if self.counting {
             return;
         }
         let first = self.mesh.positions.len() as u32;
         self.at(place, |b| {
-            part.positions.iter().for_each(|p| b.push_position(DVec3::from(p.map(f64::from))))
+            part.mesh.positions.iter().for_each(|p| b.push_position(DVec3::from(p.map(f64::from))))
         });
-        self.mesh.triangles.extend(part.triangles.iter().map(|t| t.map(|i| first + i)));
-    }
-
-    /// Counts `triangles` of a part that is not built in a dry run.
-    pub(super) fn count(&mut self, triangles: u64) {
-        self.triangles += triangles;
+        self.mesh.triangles.extend(part.mesh.triangles.iter().map(|t| t.map(|i| first + i)));
     }
 
     fn push_position(&mut self, p: DVec3) {
@@ -197,6 +219,13 @@ pub(super) fn turned(radians: f64) -> DAffine3 {
 pub(super) fn tilted(radians: f64) -> DAffine3 {
     let (sin, cos) = sin_cos(radians);
     DAffine3::from_mat3(DMat3::from_cols(DVec3::X, DVec3::new(0.0, cos, sin), DVec3::new(0.0, -sin, cos)))
+}
+
+/// At `origin`, with z along `forward` and y as close to `up` as that allows.
+pub(super) fn facing(origin: DVec3, forward: DVec3, up: DVec3) -> DAffine3 {
+    let z = forward.normalize_or(DVec3::Z);
+    let x = up.cross(z).normalize_or(z.any_orthonormal_vector());
+    DAffine3::from_mat3_translation(DMat3::from_cols(x, z.cross(x), z), origin)
 }
 
 /// The same scale along all axes.

@@ -40,7 +40,7 @@ impl Random {
 
     /// Uniform among 0 to `count - 1`, with a bias below 2^-32.
     pub(super) fn below(&mut self, count: u32) -> u32 {
-        ((self.bits() >> 32) * u64::from(count) >> 32) as u32
+        (((self.bits() >> 32) * u64::from(count)) >> 32) as u32
     }
 
     /// A point on the unit sphere, uniform by rejection from the ball.

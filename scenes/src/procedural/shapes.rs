@@ -25,18 +25,12 @@ pub(super) fn block_on(b: &mut MeshBuilder, base: DVec3, size: DVec3, cells: [u3
     block(b, base - half, base + half + DVec3::new(0.0, size.y, 0.0), cells);
 }
 
-/// A flat parallelogram with the corners `origin`, `origin + u` and `origin + v`.
-pub(super) fn sheet(b: &mut MeshBuilder, origin: DVec3, u: DVec3, v: DVec3, cells: [u32; 2]) {
-    let [nu, nv] = cells.map(|n| b.segments(n, 1));
-    b.grid(Grid::open(nu, nv), |s, t| origin + u * s + v * t);
-}
-
 /// A surface of revolution around the y axis through the points (radius, y) of `profile`, from bottom to top
 /// seen from outside. A radius of 0 at either end closes it. The profile is a Catmull-Rom curve if `smooth`.
 pub(super) fn lathe(b: &mut MeshBuilder, profile: &[DVec2], smooth: bool, around: u32, along: u32) {
     let columns = b.segments(around, 4);
     let spans = profile.len() as u32 - 1;
-    let rows = if smooth { b.segments(along, spans) } else { spans };
+    let rows = if smooth { b.segments(along, 2) } else { spans };
     let grid = Grid {
         first_pole: profile[0].x == 0.0,
         last_pole: profile[profile.len() - 1].x == 0.0,
@@ -58,8 +52,8 @@ fn on_polyline(points: &[DVec2], t: f64) -> DVec2 {
 fn on_curve(points: &[DVec2], t: f64) -> DVec2 {
     let extended: Vec<DVec3> = points.iter().map(|p| p.extend(0.0)).collect();
     let p = catmull_rom(&extended, t);
-    // The curve may overshoot the axis.
-    DVec2::new(p.x.max(0.0), p.y)
+    // The curve may overshoot the axis, where triangles would lose their area.
+    DVec2::new(p.x.max(1e-3), p.y)
 }
 
 /// The Catmull-Rom spline through `points`, uniform, at `t` from 0 to 1.
@@ -179,9 +173,10 @@ pub(super) fn arch(
     spring: f64,
     cells: u32,
 ) {
-    let columns = b.segments(cells, 6);
-    let rows = b.segments(cells / 4, 1);
-    let through = b.segments(cells / 6, 1);
+    // A multiple of four puts points on the corners of the outer edge.
+    let columns = b.segments(cells, 4).next_multiple_of(4);
+    let rows = b.segments(cells / 12, 1);
+    let through = b.segments(cells / 8, 1);
     let radius = opening * 0.5;
     let curve = |u: f64| {
         let (sin, cos) = sin_cos(PI * u);
@@ -199,8 +194,6 @@ pub(super) fn arch(
             DVec2::new(half, height - rise * (u - 0.75) * 4.0)
         }
     };
-    // A multiple of four puts points on the corners of the outer edge.
-    let columns = columns.next_multiple_of(4);
     for side in [1.0, -1.0] {
         let z = side * depth * 0.5;
         b.grid(Grid::open(columns, rows), |u, v| {

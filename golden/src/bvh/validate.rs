@@ -1,0 +1,99 @@
+//! The proof that nodes in memory are a hierarchy over their triangles.
+
+use super::{Bvh, INDEX, LEAF, SIBLINGS};
+use crate::Aabb;
+use crate::build::MAX_DEPTH;
+use crate::triangle::{Triangle, leaf_at};
+
+/// Why nodes in memory are not a hierarchy.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BvhDefect {
+    /// A child or triangle index leaves its array.
+    #[error("word {word:#010x}: the child or triangle is out of range")]
+    OutOfRange {
+        /// Word 0 of the node.
+        word: u32,
+    },
+    /// Siblings disagree about their number, or are fewer than two or more than the width.
+    #[error("node {node}: {count} siblings, or not all of them say so")]
+    Siblings {
+        /// Index of the first sibling.
+        node: u32,
+        /// What the first one says.
+        count: u32,
+    },
+    /// A path is longer than [`MAX_DEPTH`].
+    #[error("node {node} is more than {MAX_DEPTH} levels deep")]
+    Depth {
+        /// Index of the node.
+        node: u32,
+    },
+    /// A box is not the union of what is inside.
+    #[error("the box {found:?} should be {expected:?}")]
+    Box {
+        /// The stored box.
+        found: Aabb,
+        /// The union.
+        expected: Aabb,
+    },
+    /// Nodes or triangles are reached twice or never.
+    #[error("{reached} of {total} nodes and triangles are reached")]
+    Coverage {
+        /// How often one was reached.
+        reached: usize,
+        /// How many there are.
+        total: usize,
+    },
+}
+
+impl<const N: usize> Bvh<N> {
+    /// Proves that every node and every triangle is reached exactly once from the root, that every box is exactly the
+    /// union of what is inside, that offsets are in range and that no path is longer than [`MAX_DEPTH`].
+    ///
+    /// # Errors
+    /// The first defect that is found.
+    pub fn validate(&self) -> Result<(), BvhDefect> {
+        let mut reached = 0;
+        self.check(self.root, 0, &self.root_box, &mut reached)?;
+        let total = self.nodes.len() + self.triangles.len();
+        if reached == total { Ok(()) } else { Err(BvhDefect::Coverage { reached, total }) }
+    }
+
+    /// Checks the node with word 0 `word`, whose box is `stored`. The recursion is as deep as the tree.
+    fn check(&self, word: u32, depth: u32, stored: &Aabb, reached: &mut usize) -> Result<(), BvhDefect> {
+        let index = INDEX.get(word);
+        let total = self.nodes.len() + self.triangles.len();
+        let inside = if LEAF.get(word) == 1 {
+            let leaf = leaf_at(&self.triangles, index).ok_or(BvhDefect::OutOfRange { word })?;
+            *reached += leaf.len();
+            leaf.iter().map(Triangle::aabb).fold(Aabb::EMPTY, Aabb::union)
+        } else {
+            if depth == MAX_DEPTH {
+                return Err(BvhDefect::Depth { node: index });
+            }
+            let first = self.nodes.get(index as usize).ok_or(BvhDefect::OutOfRange { word })?;
+            let count = SIBLINGS.get(first.word) + 1;
+            let children = self
+                .nodes
+                .get(index as usize..(index + count) as usize)
+                .ok_or(BvhDefect::OutOfRange { word })?;
+            let agree = children.iter().all(|child| SIBLINGS.get(child.word) + 1 == count);
+            if !agree || !(2..=N as u32).contains(&count) {
+                return Err(BvhDefect::Siblings { node: index, count });
+            }
+            *reached += children.len();
+            if *reached > total {
+                return Err(BvhDefect::Coverage { reached: *reached, total });
+            }
+            for child in children {
+                self.check(child.word, depth + 1, &child.aabb, reached)?;
+            }
+            children.iter().fold(Aabb::EMPTY, |aabb, child| aabb.union(child.aabb))
+        };
+        if inside.to_bits() == stored.to_bits() {
+            Ok(())
+        } else {
+            Err(BvhDefect::Box { found: *stored, expected: inside })
+        }
+    }
+}
