@@ -117,7 +117,8 @@ fn peer_obvhs_medium(bencher: Bencher<'_, '_>, (name, rays): &(String, &'static 
             obvhs::triangle::Triangle { v0, v1, v2 }
         })
         .collect();
-    let bvh: Bvh2 = build_bvh2_from_tris(&triangles, BvhBuildParams::medium_build(), &mut Duration::ZERO);
+    let mut build_time = Duration::ZERO;
+    let bvh: Bvh2 = build_bvh2_from_tris(&triangles, BvhBuildParams::medium_build(), &mut build_time);
     let leaves: Vec<RtTriangle> =
         bvh.primitive_indices.iter().map(|&i| RtTriangle::from(&triangles[i as usize])).collect();
     let rays: Vec<_> = workload.rays[rays]

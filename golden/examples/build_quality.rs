@@ -1,93 +1,71 @@
 //! Compares the builder with `obvhs` on the real scenes: SAH cost and time, at equal maximum leaf size.
 //!
-//! `DUALSPLIT_DATA=... cargo run --release --example build_quality [-- SCENE...]`; both libraries run on one thread
-//! unless `RAYON_NUM_THREADS` says otherwise.
+//! `DUALSPLIT_DATA=... cargo run --release -p golden --example build_quality [-- SCENE...]`
+//!
+//! `ratio` is the cost over the better of the two `very_slow` trees. The time is processor time of all
+//! threads; `obvhs` has one.
 
+#[path = "../tests/support/peer.rs"]
+mod peer;
 #[path = "../tests/support/mod.rs"]
 mod support;
 
-use std::time::Instant;
-
+use cpu_time::ProcessTime;
 use golden::build::{BuildOptions, Quality, build};
 use obvhs::BvhBuildParams;
-use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use obvhs::triangle::Triangle;
 use scenes::Mesh;
 
 fn main() {
     let chosen: Vec<String> = std::env::args().skip(1).collect();
-    println!("| scene | leaf | builder | SAH | ratio | depth | nodes/tri | ms |");
+    println!("| scene | leaf | builder | SAH | ratio | depth | nodes/triangle | ms |");
     println!("|---|---|---|---|---|---|---|---|");
     for name in support::SHARED_SCENES {
-        if !chosen.is_empty() && !chosen.iter().any(|c| c == name) {
-            continue;
-        }
-        let Some(mesh) = support::shared_scene(name) else {
-            return eprintln!("set DUALSPLIT_DATA to the folder that holds scenes/");
-        };
-        for leaf in [1, 4, 8] {
-            compare(name, &mesh, leaf);
+        if chosen.is_empty() || chosen.iter().any(|c| c == name) {
+            let Some(mesh) = support::shared_scene(name) else {
+                return eprintln!("set DUALSPLIT_DATA to the folder that holds scenes/");
+            };
+            for max_leaf_size in [1, 4, 8] {
+                compare(name, &mesh, max_leaf_size);
+            }
         }
     }
 }
 
-fn compare(name: &str, mesh: &Mesh, leaf: u32) {
-    let triangles: Vec<Triangle> = (0..mesh.triangles.len())
-        .map(|i| {
-            let [v0, v1, v2] = mesh.corners(i).map(Into::into);
-            Triangle { v0, v1, v2 }
-        })
-        .collect();
-    let peer =
-        |params: BvhBuildParams| BvhBuildParams { pre_split: false, max_prims_per_leaf: leaf, ..params };
-    let very_slow = peer(BvhBuildParams::very_slow_build());
-    // The preset's collapse assumes a traversal step three times as dear as a triangle test; the SAH here weighs both
-    // alike, so the peer is also given that weight, and the better of the two is what counts.
-    let peers = [
-        ("obvhs medium", peer(BvhBuildParams::medium_build())),
+fn compare(name: &str, mesh: &Mesh, max_leaf_size: u32) {
+    let row = |builder: &str, cost: f64, ratio: f64, depth: u32, nodes: usize, milliseconds: f64| {
+        let nodes = nodes as f64 / mesh.triangles.len() as f64;
+        println!(
+            "| {name} | {max_leaf_size} | {builder} | {cost:.3} | {ratio:.4} | {depth} | {nodes:.3} | {milliseconds:.0} |"
+        );
+    };
+    let reference = peer::very_slow_sah_cost(mesh, max_leaf_size);
+    let triangles = peer::triangles(mesh);
+    let [very_slow, equal_costs] = peer::very_slow_params(max_leaf_size);
+    for (builder, params) in [
+        ("obvhs medium", peer::params(BvhBuildParams::medium_build(), max_leaf_size)),
         ("obvhs very_slow", very_slow),
-        ("obvhs very_slow, equal costs", BvhBuildParams { collapse_traversal_cost: 1.0, ..very_slow }),
-    ];
-    let triangle_count = mesh.triangles.len() as f64;
-    let mut reference = f64::INFINITY;
-    for (label, params) in peers {
-        let start = Instant::now();
-        let bvh = build_bvh2(&triangles, params, &mut Default::default());
-        let ms = start.elapsed().as_secs_f64() * 1e3;
-        let cost = peer_sah_cost(&bvh);
-        if label.contains("very_slow") {
-            reference = reference.min(cost);
-        }
-        let nodes = bvh.nodes.len() as f64 / triangle_count;
-        println!("| {name} | {leaf} | {label} | {cost:.3} | | {} | {nodes:.3} | {ms:.0} |", bvh.depth(0));
+        ("obvhs very_slow, equal costs", equal_costs),
+    ] {
+        let (bvh, milliseconds) = timed(|| build_bvh2(&triangles, params, &mut Default::default()));
+        let cost = peer::sah_cost(&bvh);
+        row(builder, cost, cost / reference, bvh.depth(0) as u32, bvh.nodes.len(), milliseconds);
     }
     for quality in [Quality::Fast, Quality::Medium, Quality::High] {
-        let start = Instant::now();
-        let tree = build(mesh, &BuildOptions { max_leaf_size: leaf, ..BuildOptions::new(quality) })
-            .expect("the scene is valid");
-        let ms = start.elapsed().as_secs_f64() * 1e3;
-        tree.validate(mesh).expect("a hierarchy");
+        let options = BuildOptions { max_leaf_size, ..BuildOptions::new(quality) };
+        let (tree, milliseconds) = timed(|| build(mesh, &options).expect("a valid scene"));
         let cost = tree.sah_cost();
-        println!(
-            "| {name} | {leaf} | {quality:?} | {cost:.3} | {:.4} | {} | {:.3} | {ms:.0} |",
-            cost / reference,
-            tree.max_depth(),
-            tree.nodes.len() as f64 / triangle_count,
-        );
+        let builder = format!("{quality:?}");
+        row(&builder, cost, cost / reference, tree.max_depth(), tree.nodes.len(), milliseconds);
     }
 }
 
-/// The formula of `Tree::sah_cost` on the peer's tree.
-fn peer_sah_cost(bvh: &Bvh2) -> f64 {
-    let half_area = |node: usize| {
-        let aabb = bvh.nodes[node].aabb();
-        let e = aabb.max.as_dvec3() - aabb.min.as_dvec3();
-        e.x * e.y + e.y * e.z + e.z * e.x
+/// The result of `work` and the least processor time of three runs in milliseconds.
+fn timed<T>(work: impl Fn() -> T) -> (T, f64) {
+    let run = || {
+        let start = ProcessTime::now();
+        (work(), start.elapsed().as_secs_f64() * 1e3)
     };
-    let weight = |node: usize| match &bvh.nodes[node] {
-        node if node.is_leaf() => f64::from(node.prim_count),
-        _ => 1.0,
-    };
-    (0..bvh.nodes.len()).map(|node| weight(node) * half_area(node)).sum::<f64>() / half_area(0)
+    let (result, first) = run();
+    (result, [first, run().1, run().1].into_iter().fold(f64::INFINITY, f64::min))
 }

@@ -51,7 +51,8 @@ fn compare(name: &str, mesh: &scenes::Mesh) {
             Triangle { v0, v1, v2 }
         })
         .collect();
-    let peer = build_bvh2_from_tris(&triangles, BvhBuildParams::medium_build(), &mut Duration::ZERO);
+    let mut build_time = Duration::ZERO;
+    let peer = build_bvh2_from_tris(&triangles, BvhBuildParams::medium_build(), &mut build_time);
     let peer_triangles: Vec<RtTriangle> =
         peer.primitive_indices.iter().map(|&i| RtTriangle::from(&triangles[i as usize])).collect();
     let trace_peer = |rays: &[Ray]| {

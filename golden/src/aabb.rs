@@ -1,8 +1,8 @@
 //! Axis-aligned bounding boxes, exact to the bit.
 //!
-//! A box is the componentwise minimum and maximum of the coordinates that it encloses; no epsilon is ever added.
-//! A coordinate of -0.0 enters a box as +0.0, so that two planes are equal exactly when their bits are, which is
-//! what the dual-split conversion compares. This changes no point set, since -0.0 = +0.0.
+//! A box is the componentwise minimum and maximum of the coordinates that it encloses; no epsilon is ever
+//! added. A coordinate of -0.0 enters a box as +0.0, so that two planes are equal exactly when their bits
+//! are, which is what the dual-split conversion compares. This changes no point set, since -0.0 = +0.0.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -44,7 +44,8 @@ impl Aabb {
 
     /// Half of the surface area in square scene units, the measure of the surface area heuristic.
     ///
-    /// Computed in `f64`, whose range holds the area of every box with finite `f32` planes. Zero for the empty box.
+    /// Computed in `f64`, whose range holds the area of every box with finite `f32` planes. Zero for the
+    /// empty box.
     #[must_use]
     pub fn half_area(&self) -> f64 {
         if self.is_empty() {

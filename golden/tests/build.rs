@@ -1,5 +1,7 @@
 //! Properties of every tree that the builder makes.
 
+#[path = "support/peer.rs"]
+mod peer;
 mod support;
 
 use golden::build::{BinaryTree, BuildError, BuildOptions, MAX_DEPTH, Quality, build};
@@ -101,8 +103,10 @@ fn many_equal_centres_take_linearithmic_time() {
 
 #[test]
 fn tree_does_not_depend_on_the_number_of_threads() {
-    let mesh = random_soup(70_000, 7);
-    for quality in QUALITIES {
+    // Enough triangles for every part that runs in parallel.
+    let sizes = [(Quality::Fast, 70_000), (Quality::Medium, 70_000), (Quality::High, 20_000)];
+    for (quality, triangles) in sizes {
+        let mesh = random_soup(triangles, 7);
         let trees = [1, 2, 4].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             pool.install(|| build(&mesh, &BuildOptions::new(quality)).expect("a tree"))
@@ -116,6 +120,20 @@ fn better_presets_give_better_trees() {
     let mesh = random_soup(20_000, 3);
     let costs = QUALITIES.map(|quality| build(&mesh, &options(quality, 4)).expect("a tree").sah_cost());
     assert!(costs.is_sorted_by(|a, b| a > b), "{costs:?}");
+}
+
+/// The example `build_quality` compares all scenes and presets.
+#[test]
+fn high_is_no_worse_than_the_best_peer() {
+    for name in ["bunny", "sibenik"] {
+        let Some(mesh) = support::shared_scene(name) else { return };
+        for max_leaf_size in [1, 4] {
+            let tree = build(&mesh, &options(Quality::High, max_leaf_size)).expect("a tree");
+            tree.validate(&mesh).expect("a hierarchy");
+            let ratio = tree.sah_cost() / peer::very_slow_sah_cost(&mesh, max_leaf_size);
+            assert!(ratio <= 1.0, "{name}, {max_leaf_size} triangles in a leaf: {ratio}");
+        }
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //!
 //! Every module is written once for all formats. Its widths are const generics: `E` exponent bits and `S` significand
 //! bits (hidden bit included, as in [`golden::fp::Format`]) are free, the others follow from them, and a constant assertion
+//! checks each relation when a module is instantiated. [`formats`] names the usual instances.
 //!
 //! | generic | value | meaning |
 //! |---|---|---|
@@ -23,11 +24,14 @@
 //! * Ports end in `_i` or `_o`; every output comes from a register unless the module says otherwise.
 //! * Kernels keep to one arithmetic operation per signal of its exact width and cast plain signals only, because
 //!   Verilog evaluates an expression in the width of its context and Rust does not.
+//! * Kernels assign every output and every input of a submodule exactly once, from a local signal where a choice is to be
+//!   made: a default that is overwritten would be a glitch to an event-driven simulator, and parent and child
+//!   could wake each other for ever.
 
 pub mod blocks;
+pub mod catalogue;
 pub mod clocking;
 pub mod formats;
-pub mod inventory;
 pub mod module;
 pub mod netlist;
 pub mod pipelines;

@@ -1,5 +1,5 @@
-//! Top-down construction with binned SAH on all three axes (Wald 2007, "On fast Construction of SAH-based Bounding
-//! Volume Hierarchies"), down to ranges that are swept instead.
+//! Top-down construction with binned SAH on all three axes (Wald 2007, "On fast Construction of SAH-based
+//! Bounding Volume Hierarchies"), down to ranges that are swept instead.
 
 use glam::Vec3A;
 use rayon::prelude::*;
@@ -87,8 +87,8 @@ struct Split {
     left_count: usize,
 }
 
-/// The split with the least SAH cost; ties go to the more balanced, then to the first axis and bin. `None` if all
-/// centres share one bin.
+/// The split with the least SAH cost; ties go to the more balanced, then to the first axis and bin. `None` if
+/// all centres share one bin.
 fn best_split<const BINS: usize>(bins: &Bins<BINS>) -> Option<Split> {
     let mut best: Option<(f64, usize, Split)> = None;
     for (axis, bins) in bins.iter().enumerate() {
@@ -144,9 +144,9 @@ pub(super) fn centre_bounds(boxes: &[Bounds]) -> Bounds {
     boxes.iter().fold(Bounds::EMPTY, |centres, bounds| centres.grow(bounds.centre()))
 }
 
-/// Builds the subtree at `place` over primitives with `boxes`, whose centres have the bounds `centres`, down to
-/// single primitives; ranges of at most `sweep_max` primitives, and those that bins cannot separate or would make
-/// too deep, by [`sweep`]. Returns the root's link and box.
+/// Builds the subtree at `place` over primitives with `boxes`, whose centres have the bounds `centres`, down
+/// to single primitives; ranges of at most `sweep_max` primitives, and those that bins cannot separate or
+/// would make too deep, by [`sweep`]. Returns the root's link and box.
 pub(super) fn build<const BINS: usize>(
     boxes: &mut [Bounds],
     centres: Bounds,

@@ -4,8 +4,8 @@ use glam::Vec3A;
 
 use crate::aabb::{Aabb, positive_zero};
 
-/// An [`Aabb`] in two 4-lane registers. Planes are never NaN nor -0.0, so that minimum and maximum are exact and
-/// independent of the order of their operands.
+/// An [`Aabb`] in two 4-lane registers. Planes are never NaN nor -0.0, so that minimum and maximum are exact
+/// and independent of the order of their operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
     pub(super) min: Vec3A,
@@ -47,7 +47,9 @@ impl Bounds {
     #[inline(always)]
     pub(super) fn scaled_half_area(self, scale: Vec3A) -> f32 {
         let extent = (self.max - self.min) * scale;
-        extent.dot(Vec3A::new(extent.y, extent.z, extent.x))
+        // Not a dot product: its order of additions is the platform's.
+        let [x, y, z] = (extent * Vec3A::new(extent.y, extent.z, extent.x)).to_array();
+        x + y + z
     }
 }
 

@@ -1,77 +1,84 @@
 //! Merging leaves where that lowers the SAH cost.
 
 use super::bounds::Bounds;
-use super::work::{BoundsPair, Link, WorkTree};
+use super::work::{BoundsPair, Link, Slot, WorkTree};
 
-/// Makes leaves of up to `max_leaf_size` triangles out of subtrees, so that the SAH cost is the least that any such
-/// choice reaches. The result is laid out depth-first.
+/// Makes leaves of up to `max_leaf_size` triangles out of subtrees, so that the SAH cost is the least that
+/// any such choice reaches; a leaf that is larger already stays. Ties go to the leaf. The result is laid out
+/// depth-first.
 pub(super) fn collapse_leaves(tree: &WorkTree, max_leaf_size: u32) -> WorkTree {
-    let order = tree.pairs_depth_first();
-    let slots = 2 * tree.links.len();
-    // Least cost of each slot's subtree, in area; its triangles; whether it becomes a leaf.
-    let mut cost = vec![0.0_f64; slots];
-    let mut triangles = vec![0_u32; slots];
-    let mut visit = |slot: u32| {
-        let area = tree.bounds(slot).half_area();
-        let (inner_cost, count) = match (tree.link(slot).children(), tree.link(slot).as_leaf()) {
-            (Some(pair), _) => {
-                let [a, b] = [2 * pair as usize, 2 * pair as usize + 1];
-                (area + cost[a] + cost[b], triangles[a] + triangles[b])
-            }
-            (None, leaf) => (f64::INFINITY, tree.leaf_primitives(leaf.unwrap_or(0)).len() as u32),
-        };
-        let leaf_cost = area * f64::from(count);
-        let mergeable = count <= max_leaf_size || inner_cost == f64::INFINITY;
-        cost[slot as usize] = if mergeable { leaf_cost.min(inner_cost) } else { inner_cost };
-        triangles[slot as usize] = count;
-    };
-    for &pair in order.iter().rev() {
-        visit(2 * pair);
-        visit(2 * pair + 1);
-    }
-    visit(WorkTree::ROOT);
-
+    let subtrees = Subtrees::new(tree, max_leaf_size);
+    let pairs = tree.links.len();
     let mut result = WorkTree {
-        bounds: vec![BoundsPair([tree.bounds(WorkTree::ROOT), Bounds::EMPTY])],
-        links: vec![[Link::leaf(0); 2]],
-        parents: vec![0],
-        leaf_starts: vec![0],
+        bounds: Vec::with_capacity(pairs),
+        links: Vec::with_capacity(pairs),
+        parents: Vec::with_capacity(pairs),
+        leaf_starts: Vec::with_capacity(pairs + 1),
         primitives: Vec::with_capacity(tree.primitives.len()),
     };
+    result.push_pair(BoundsPair([tree.bounds(WorkTree::ROOT), Bounds::EMPTY]));
+    result.leaf_starts.push(0);
     // (slot in the tree, slot in the result)
     let mut stack = vec![(WorkTree::ROOT, WorkTree::ROOT)];
-    let mut below = Vec::new();
     while let Some((from, to)) = stack.pop() {
-        let leaf_cost = tree.bounds(from).half_area() * f64::from(triangles[from as usize]);
-        match tree.link(from).children() {
-            Some(pair) if triangles[from as usize] > max_leaf_size || cost[from as usize] < leaf_cost => {
-                let new_pair = result.links.len() as u32;
-                result.bounds.push(tree.bounds[pair as usize]);
-                result.links.push([Link::leaf(0); 2]);
-                result.parents.push(to);
+        match tree.slot(from) {
+            Slot::Inner(pair) if !subtrees.becomes_leaf[from as usize] => {
+                let new_pair = result.push_pair(tree.bounds[pair as usize]);
                 result.set_link(to, Link::pair(new_pair));
-                stack.push((2 * pair + 1, 2 * new_pair + 1));
-                stack.push((2 * pair, 2 * new_pair));
+                stack.extend([(2 * pair + 1, 2 * new_pair + 1), (2 * pair, 2 * new_pair)]);
             }
             _ => {
-                let leaf = result.leaf_starts.len() as u32 - 1;
                 let first = result.primitives.len();
-                below.push(from);
-                while let Some(slot) = below.pop() {
-                    match (tree.link(slot).children(), tree.link(slot).as_leaf()) {
-                        (Some(pair), _) => below.extend([2 * pair, 2 * pair + 1]),
-                        (None, leaf) => {
-                            result.primitives.extend_from_slice(tree.leaf_primitives(leaf.unwrap_or(0)));
-                        }
-                    }
-                }
+                tree.append_primitives(from, &mut result.primitives);
                 result.primitives[first..].sort_unstable();
+                result.set_link(to, Link::leaf(result.leaf_count() as u32));
                 result.leaf_starts.push(result.primitives.len() as u32);
-                result.set_link(to, Link::leaf(leaf));
             }
         }
     }
     result
+}
+
+/// Facts about the subtree of each slot.
+struct Subtrees {
+    /// The least cost, in area.
+    cost: Vec<f64>,
+    triangles: Vec<u32>,
+    becomes_leaf: Vec<bool>,
+}
+
+impl Subtrees {
+    fn new(tree: &WorkTree, max_leaf_size: u32) -> Self {
+        let slots = 2 * tree.links.len();
+        let mut subtrees =
+            Self { cost: vec![0.0; slots], triangles: vec![0; slots], becomes_leaf: vec![false; slots] };
+        for pair in tree.pairs_depth_first().into_iter().rev() {
+            subtrees.visit(tree, 2 * pair, max_leaf_size);
+            subtrees.visit(tree, 2 * pair + 1, max_leaf_size);
+        }
+        subtrees.visit(tree, WorkTree::ROOT, max_leaf_size);
+        subtrees
+    }
+
+    fn visit(&mut self, tree: &WorkTree, slot: u32, max_leaf_size: u32) {
+        let area = tree.bounds(slot).half_area();
+        let (triangles, cost, becomes_leaf) = match tree.slot(slot) {
+            Slot::Inner(pair) => {
+                let [left, right] = [2 * pair as usize, 2 * pair as usize + 1];
+                let triangles = self.triangles[left] + self.triangles[right];
+                let inner_cost = area + self.cost[left] + self.cost[right];
+                let leaf_cost = area * f64::from(triangles);
+                let becomes_leaf = triangles <= max_leaf_size && leaf_cost <= inner_cost;
+                (triangles, if becomes_leaf { leaf_cost } else { inner_cost }, becomes_leaf)
+            }
+            Slot::Leaf(leaf) => {
+                let triangles = tree.leaf_primitives(leaf).len() as u32;
+                (triangles, area * f64::from(triangles), true)
+            }
+        };
+        let slot = slot as usize;
+        (self.triangles[slot], self.cost[slot], self.becomes_leaf[slot]) = (triangles, cost, becomes_leaf);
+    }
 }
 
 #[cfg(test)]
@@ -84,7 +91,7 @@ mod tests {
     /// The cost in area, and the triangles, of every way to merge leaves below `slot`.
     fn all_costs(tree: &WorkTree, slot: u32, max_leaf_size: usize) -> (Vec<f64>, usize) {
         let area = tree.bounds(slot).half_area();
-        let Some(pair) = tree.link(slot).children() else { return (vec![area], 1) };
+        let Slot::Inner(pair) = tree.slot(slot) else { return (vec![area], 1) };
         let (left, left_count) = all_costs(tree, 2 * pair, max_leaf_size);
         let (right, right_count) = all_costs(tree, 2 * pair + 1, max_leaf_size);
         let count = left_count + right_count;

@@ -3,8 +3,8 @@
 use super::bounds::Bounds;
 use super::work::{Link, WorkTree, levels_needed};
 
-/// Rebuilds subtrees by median splits so that no leaf is more than `levels` below the root. As little as possible
-/// and as far down as possible is touched; a tree that is within the bound stays as it is.
+/// Rebuilds subtrees by median splits so that no leaf is more than `levels` below the root. As little as
+/// possible and as far down as possible is touched; a tree that is within the bound stays as it is.
 ///
 /// # Panics
 /// If `2^levels` leaves are too few.
@@ -48,7 +48,8 @@ fn rebuild_balanced(tree: &mut WorkTree, slot: u32) {
     place_balanced(tree, &mut leaves, &mut pairs, slot);
 }
 
-/// Builds at `slot` by median splits on the axis on which the centres lie farthest apart; takes pairs off `pairs`.
+/// Builds at `slot` by median splits on the axis on which the centres lie farthest apart; takes pairs off
+/// `pairs`.
 fn place_balanced(
     tree: &mut WorkTree,
     leaves: &mut [(Bounds, Link)],
@@ -64,7 +65,7 @@ fn place_balanced(
     let axis = (centres.max * 0.5 - centres.min * 0.5).max_position();
     let middle = leaves.len() / 2;
     leaves.select_nth_unstable_by(middle, |a, b| {
-        a.0.centre()[axis].total_cmp(&b.0.centre()[axis]).then(a.1.as_leaf().cmp(&b.1.as_leaf()))
+        a.0.centre()[axis].total_cmp(&b.0.centre()[axis]).then(a.1.cmp(&b.1))
     });
     let pair = pairs.pop().expect("one pair fewer than leaves");
     tree.set_link(slot, Link::pair(pair));

@@ -25,7 +25,7 @@ mod wide;
 mod work;
 
 use rayon::prelude::*;
-use scenes::Mesh;
+use scenes::{MAX_TRIANGLES, Mesh};
 
 pub use tree::{BinaryNode, BinaryTree, Content, Node, Tree, TreeDefect};
 pub use wide::{WideTree, collapse_wide};
@@ -34,12 +34,9 @@ use bounds::Bounds;
 use reinsertion::Stage;
 use work::{Place, WorkTree};
 
-/// No tree is deeper: at most this many edges from the root to a leaf, whatever the mesh. A traversal that keeps one
-/// entry for each level above the current node needs a stack of this size.
+/// No tree is deeper: at most this many edges from the root to a leaf, whatever the mesh. A traversal that
+/// keeps one entry for each level above the current node needs a stack of this size.
 pub const MAX_DEPTH: u32 = 64;
-
-/// The greatest number of triangles, the reach of the 26-bit offset of a dual-split node.
-pub const MAX_TRIANGLES: usize = 1 << 26;
 
 /// The greatest value of [`BuildOptions::max_leaf_size`].
 pub const MAX_LEAF_SIZE: u32 = 255;
@@ -61,7 +58,11 @@ impl Quality {
         match self {
             Self::Fast => &[Stage { share: 0.01, rounds: 2 }],
             Self::Medium => &[Stage { share: 0.05, rounds: 4 }],
-            Self::High => &[Stage { share: 0.1, rounds: 12 }, Stage { share: 1.0, rounds: 3 }],
+            Self::High => &[
+                Stage { share: 0.1, rounds: 12 },
+                Stage { share: 1.0, rounds: 12 },
+                Stage { share: 1.0, rounds: 12 },
+            ],
         }
     }
 }
@@ -71,8 +72,8 @@ impl Quality {
 pub struct BuildOptions {
     /// Construction time against tree quality.
     pub quality: Quality,
-    /// The greatest number of triangles in a leaf, 1 to [`MAX_LEAF_SIZE`]. Leaves grow only where that lowers the
-    /// SAH cost.
+    /// The greatest number of triangles in a leaf, 1 to [`MAX_LEAF_SIZE`]. Leaves grow only where that lowers
+    /// the SAH cost.
     pub max_leaf_size: u32,
 }
 
@@ -131,8 +132,10 @@ pub enum BuildError {
 
 /// Builds a hierarchy over the triangles of `mesh` on the threads of the current `rayon` pool.
 ///
-/// The result depends on the mesh and the options only, not on the number of threads nor on the machine. Degenerate
-/// and duplicate triangles are kept. Time is O(n log n) and depth at most [`MAX_DEPTH`] for every input.
+/// The result depends on the mesh and the options only, not on the number of threads nor on the machine.
+/// Degenerate and duplicate triangles are kept. The tree is at most [`MAX_DEPTH`] deep for every input, and
+/// each pass takes O(n log n) as long as the trees in between are about as balanced as scenes make them, O(n
+/// [`MAX_DEPTH`]) at worst.
 ///
 /// # Errors
 /// See [`BuildError`]; of several faulty triangles the first is named.
@@ -169,13 +172,18 @@ fn triangle_boxes(mesh: &Mesh) -> Result<Vec<Bounds>, BuildError> {
         triangles if triangles > MAX_TRIANGLES => return Err(BuildError::TooManyTriangles { triangles }),
         _ => {}
     }
-    let boxes: Vec<_> = (0..mesh.triangles.len()).into_par_iter().map(|i| triangle_box(mesh, i)).collect();
-    // Collected before the errors are looked for, so that the first is found whatever the order of the tasks.
-    boxes.into_iter().collect()
+    let triangles = mesh.triangles.par_iter();
+    match triangles.clone().enumerate().find_map_first(|(i, t)| check_triangle(mesh, i, t).err()) {
+        Some(error) => Err(error),
+        None => {
+            let corner = |index: u32| mesh.positions[index as usize];
+            Ok(triangles.map(|triangle| Bounds::of_triangle(triangle.map(corner))).collect())
+        }
+    }
 }
 
-fn triangle_box(mesh: &Mesh, triangle: usize) -> Result<Bounds, BuildError> {
-    for index in mesh.triangles[triangle] {
+fn check_triangle(mesh: &Mesh, triangle: usize, indices: &[u32; 3]) -> Result<(), BuildError> {
+    for &index in indices {
         match mesh.positions.get(index as usize) {
             None => {
                 return Err(BuildError::IndexOutOfRange { triangle, index, vertices: mesh.positions.len() });
@@ -186,5 +194,5 @@ fn triangle_box(mesh: &Mesh, triangle: usize) -> Result<Bounds, BuildError> {
             Some(_) => {}
         }
     }
-    Ok(Bounds::of_triangle(mesh.corners(triangle)))
+    Ok(())
 }

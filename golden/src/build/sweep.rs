@@ -1,5 +1,5 @@
-//! Top-down construction that tries every split between two primitives on all three axes: sorted once on each axis,
-//! then partitioned stably, O(n log n) for trees of logarithmic depth and O(n x levels) at worst.
+//! Top-down construction that tries every split between two primitives on all three axes: sorted once on each
+//! axis, then partitioned stably, O(n log n) for trees of logarithmic depth and O(n x levels) at worst.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -18,7 +18,8 @@ struct Input<'a> {
     boxes: &'a [Bounds],
     /// The mesh's number of each primitive.
     numbers: &'a [u32],
-    /// Whether a primitive goes left in the split of the range that holds it; written and read by that range's task.
+    /// Whether a primitive goes left in the split of the range that holds it; written and read by that
+    /// range's task.
     goes_left: &'a [AtomicBool],
 }
 
@@ -44,8 +45,8 @@ impl Split {
     }
 }
 
-/// Builds the subtree at `place` over primitives with `boxes` down to single primitives; a split that would exceed
-/// the place's levels is replaced by the median. Returns the root's link and box.
+/// Builds the subtree at `place` over primitives with `boxes` down to single primitives; a split that would
+/// exceed the place's levels is replaced by the median. Returns the root's link and box.
 pub(super) fn build(boxes: &[Bounds], place: Place) -> (Link, Bounds) {
     let count = boxes.len();
     if count == 1 {
@@ -122,20 +123,14 @@ fn best_split(input: &Input, range: &mut Range) -> Split {
     if count == 2 {
         return Split { cost: 0.0, axis: 0, left_count: 1 };
     }
-    let on_axis = |(axis, (order, right_areas)): (usize, (&&mut [u32], &mut &mut [f64]))| {
-        best_split_on_axis(input.boxes, order, axis, right_areas)
-    };
-    let axes = range.orders.iter().zip(range.right_areas.iter_mut()).enumerate();
-    let splits: [Split; 3] = if count >= PARALLEL_AXES_MIN {
-        let mut splits: Vec<Split> = axes.par_bridge().map(on_axis).collect();
-        splits.sort_unstable_by_key(|split| split.axis);
-        splits.try_into().unwrap_or_else(|_| unreachable!("three axes"))
-    } else {
-        let mut axes = axes.map(on_axis);
-        std::array::from_fn(|_| axes.next().expect("three axes"))
-    };
-    let first = splits[0];
-    splits.into_iter().fold(first, |best, split| if split.better_than(&best, count) { split } else { best })
+    let [x, y, z] = range.orders.each_ref();
+    let [areas_x, areas_y, areas_z] = range.right_areas.each_mut();
+    let mut x = || best_split_on_axis(input.boxes, x, 0, areas_x);
+    let mut y = || best_split_on_axis(input.boxes, y, 1, areas_y);
+    let mut z = || best_split_on_axis(input.boxes, z, 2, areas_z);
+    let (x, (y, z)) =
+        if count >= PARALLEL_AXES_MIN { rayon::join(x, || rayon::join(y, z)) } else { (x(), (y(), z())) };
+    [y, z].into_iter().fold(x, |best, split| if split.better_than(&best, count) { split } else { best })
 }
 
 fn best_split_on_axis(boxes: &[Bounds], order: &[u32], axis: usize, right_areas: &mut [f64]) -> Split {

@@ -15,9 +15,9 @@ fn mesh(corners: &[[[i8; 3]; 3]]) -> Mesh {
     }
 }
 
-/// Small triangles on a grid, and where [`random_tree`] shall split.
+/// Small triangles on a grid, many of them overlapping, and where [`random_tree`] shall split.
 pub(super) fn triangles(count: Range<usize>) -> impl Strategy<Value = (Mesh, Vec<f64>)> {
-    let triangle = (prop::array::uniform3(-20_i8..20), prop::array::uniform3(prop::array::uniform3(0_i8..5)))
+    let triangle = (prop::array::uniform3(-3_i8..3), prop::array::uniform3(prop::array::uniform3(0_i8..5)))
         .prop_map(|(origin, corners)| corners.map(|p| [0, 1, 2].map(|i| origin[i] + p[i])));
     (prop::collection::vec(triangle, count), prop::collection::vec(0.0..1.0, 16))
         .prop_map(|(corners, splits)| (mesh(&corners), splits))
@@ -29,8 +29,8 @@ pub(super) fn grid(count: i8) -> Mesh {
     mesh(&corners)
 }
 
-/// A tree over `mesh` in the order of its triangles, one in each leaf, each node split at the next of `splits`,
-/// a share of its triangles.
+/// A tree over `mesh` in the order of its triangles, one in each leaf, each node split at the next of
+/// `splits`, a share of its triangles.
 pub(super) fn random_tree(mesh: &Mesh, splits: &[f64]) -> WorkTree {
     let boxes: Vec<_> = (0..mesh.triangles.len()).map(|i| Bounds::of_triangle(mesh.corners(i))).collect();
     let mut tree = WorkTree::with_single_leaves((0..boxes.len() as u32).collect());

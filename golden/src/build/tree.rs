@@ -17,7 +17,8 @@ pub enum Content {
         /// Number of children.
         child_count: u32,
     },
-    /// `primitive_count` (at least 1) consecutive entries from `first_primitive`, in ascending order of triangle.
+    /// `primitive_count` (at least 1) consecutive entries from `first_primitive`, in ascending order of
+    /// triangle.
     Leaf {
         /// Index of the first entry in [`Tree::primitives`].
         first_primitive: u32,
@@ -37,8 +38,9 @@ pub struct Node {
 
 /// A bounding volume hierarchy whose inner nodes have 2 to `WIDTH` children.
 ///
-/// Nodes are in depth-first order with siblings consecutive: the block of a node's children precedes everything
-/// below the first child, which precedes everything below the second. Leaves' ranges ascend in that order.
+/// Nodes are in depth-first order with siblings consecutive: the block of a node's children precedes
+/// everything below the first child, which precedes everything below the second. Leaves' ranges ascend in
+/// that order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tree<const WIDTH: usize> {
     /// The nodes; the root is the first.
@@ -139,11 +141,11 @@ impl<const WIDTH: usize> Tree<WIDTH> {
         depth.into_iter().max().unwrap_or(0)
     }
 
-    /// The cost of the surface area heuristic, with both the cost of an inner node and that of a triangle test 1:
-    /// (sum of inner areas + sum over leaves of area x triangles) / area of the root.
+    /// The cost of the surface area heuristic, with both the cost of an inner node and that of a triangle
+    /// test 1: (sum of inner areas + sum over leaves of area x triangles) / area of the root.
     ///
-    /// If the root has no area (all vertices on one axis-parallel line), every area ratio is taken as 1: the cost
-    /// of a ray that visits everything.
+    /// If the root has no area (all vertices on one axis-parallel line), every area ratio is taken as 1: the
+    /// cost of a ray that visits everything.
     #[must_use]
     pub fn sah_cost(&self) -> f64 {
         let weight = |node: &Node| match node.content {
@@ -159,8 +161,8 @@ impl<const WIDTH: usize> Tree<WIDTH> {
         if self.nodes[0].aabb.half_area() > 0.0 { node.aabb.half_area() } else { 1.0 }
     }
 
-    /// Proves that this is a hierarchy over `mesh`: every triangle in exactly one leaf, every box exact, every
-    /// node reached once, children after their parents.
+    /// Proves that this is a hierarchy over `mesh`: every triangle in exactly one leaf, every box exact,
+    /// every node reached once, children after their parents.
     ///
     /// # Errors
     /// The first [`TreeDefect`] in order of nodes, then of triangles.

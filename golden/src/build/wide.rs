@@ -5,16 +5,17 @@ use super::tree::{BinaryTree, Content, Node, Tree};
 /// The hierarchy with up to `WIDTH` children that [`collapse_wide`] makes.
 pub type WideTree<const WIDTH: usize> = Tree<WIDTH>;
 
-/// Least costs of the parts of a wide tree below one inner node of the binary tree, in units of area: entry `i - 1`
-/// if it may become up to `i` siblings.
+/// Least costs of the parts of a wide tree below one inner node of the binary tree, in units of area: entry
+/// `i - 1` if it may become up to `i` siblings.
 type Costs<const WIDTH: usize> = [f64; WIDTH];
 
-/// Collapses `tree` into nodes of up to `WIDTH` children with the least [`Tree::sah_cost`] that removing inner nodes
-/// reaches. Leaves and their boxes stay as they are. Ties go to fewer nodes.
+/// Collapses `tree` into nodes of up to `WIDTH` children with the least [`Tree::sah_cost`] that removing
+/// inner nodes reaches. Leaves and their boxes stay as they are. Ties go to fewer nodes.
 ///
-/// Dynamic programming after Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through
-/// Compressed Wide BVHs", section 3.1: the cost C(n, i) of representing the subtree of node n by at most i siblings
-/// is the least over distributions of the i between its two children; as one sibling, n is itself a wide node.
+/// Dynamic programming after Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs
+/// Through Compressed Wide BVHs", section 3.1: the cost C(n, i) of representing the subtree of node n by at
+/// most i siblings is the least over distributions of the i between its two children; as one sibling, n is
+/// itself a wide node.
 #[must_use]
 pub fn collapse_wide<const WIDTH: usize>(tree: &BinaryTree) -> WideTree<WIDTH> {
     const { assert!(WIDTH >= 2, "an inner node has at least two children") };
@@ -64,8 +65,8 @@ impl<'a, const WIDTH: usize> Collapse<'a, WIDTH> {
         costs
     }
 
-    /// The least cost of the children of inner node `index` as at most `siblings` siblings, at least one for each
-    /// child, and how many are the first child's.
+    /// The least cost of the children of inner node `index` as at most `siblings` siblings, at least one for
+    /// each child, and how many are the first child's.
     fn best_split(&self, index: usize, siblings: usize) -> (f64, usize) {
         let children = self.tree.children(&self.tree.nodes[index]);
         let [left, right] = [children.start, children.start + 1];
@@ -76,7 +77,8 @@ impl<'a, const WIDTH: usize> Collapse<'a, WIDTH> {
         })
     }
 
-    /// Appends the best at most `siblings` (2 or more) siblings that represent the children of inner node `index`.
+    /// Appends the best at most `siblings` (2 or more) siblings that represent the children of inner node
+    /// `index`.
     fn distribute(&self, index: usize, siblings: usize, children: &mut Vec<usize>) {
         let of_left = self.best_split(index, siblings).1;
         let [left, right] = [0, 1].map(|side| self.tree.children(&self.tree.nodes[index]).start + side);

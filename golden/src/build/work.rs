@@ -1,14 +1,24 @@
 //! The binary tree under construction.
 //!
-//! Siblings share a *pair*: slots `2 p` and `2 p + 1`, one cache line of boxes. The root is slot 0 and slot 1 is
-//! unused, so a tree of `n` leaves has `n` pairs. A slot's sibling is `slot ^ 1`, its parent `parents[slot / 2]`.
+//! Siblings share a *pair*: slots `2 p` and `2 p + 1`, one cache line of boxes. The root is slot 0 and slot 1
+//! is unused, so a tree of `n` leaves has `n` pairs. A slot's sibling is `slot ^ 1`, its parent `parents[slot
+//! / 2]`.
 
 use super::bounds::Bounds;
 use super::tree::{BinaryTree, Content, Node};
 use crate::aabb::Aabb;
 
-/// What is in a slot: a pair of children or a leaf.
+/// What is in a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Slot {
+    /// An inner node with this pair of children.
+    Inner(u32),
+    /// The leaf of this number.
+    Leaf(u32),
+}
+
+/// A [`Slot`] in one word; leaves are in order of their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Link(u32);
 
 impl Link {
@@ -22,16 +32,18 @@ impl Link {
         Self(leaf | Self::LEAF)
     }
 
+    #[inline(always)]
+    pub(super) fn decode(self) -> Slot {
+        if self.0 & Self::LEAF == 0 { Slot::Inner(self.0) } else { Slot::Leaf(self.0 & !Self::LEAF) }
+    }
+
     /// The pair of children, unless this is a leaf.
     #[inline(always)]
     pub(super) fn children(self) -> Option<u32> {
-        (self.0 & Self::LEAF == 0).then_some(self.0)
-    }
-
-    /// The leaf's number, unless this is an inner node.
-    #[inline(always)]
-    pub(super) fn as_leaf(self) -> Option<u32> {
-        (self.0 & Self::LEAF != 0).then_some(self.0 & !Self::LEAF)
+        match self.decode() {
+            Slot::Inner(pair) => Some(pair),
+            Slot::Leaf(_) => None,
+        }
     }
 }
 
@@ -47,7 +59,7 @@ pub(super) struct WorkTree {
     pub(super) links: Vec<[Link; 2]>,
     /// The parent's slot of each pair; meaningless for the root's pair.
     pub(super) parents: Vec<u32>,
-    /// Leaf `i` holds `primitives[leaf_starts[i]..leaf_starts[i + 1]]`.
+    /// Leaf `i` holds `primitives[leaf_starts[i]..leaf_starts[i + 1]]`, in ascending order.
     pub(super) leaf_starts: Vec<u32>,
     pub(super) primitives: Vec<u32>,
 }
@@ -80,6 +92,11 @@ impl WorkTree {
     #[inline(always)]
     pub(super) fn link(&self, slot: u32) -> Link {
         self.links[(slot >> 1) as usize][(slot & 1) as usize]
+    }
+
+    #[inline(always)]
+    pub(super) fn slot(&self, slot: u32) -> Slot {
+        self.link(slot).decode()
     }
 
     /// Puts `link` into `slot` and tells its children where they hang.
@@ -123,6 +140,25 @@ impl WorkTree {
         &self.primitives[self.leaf_starts[leaf] as usize..self.leaf_starts[leaf + 1] as usize]
     }
 
+    /// Appends the primitives of all leaves of the subtree at `slot`.
+    pub(super) fn append_primitives(&self, slot: u32, primitives: &mut Vec<u32>) {
+        let mut stack = vec![slot];
+        while let Some(slot) = stack.pop() {
+            match self.slot(slot) {
+                Slot::Inner(pair) => stack.extend([2 * pair, 2 * pair + 1]),
+                Slot::Leaf(leaf) => primitives.extend_from_slice(self.leaf_primitives(leaf)),
+            }
+        }
+    }
+
+    /// Appends a pair with boxes, to be linked; returns its number.
+    pub(super) fn push_pair(&mut self, bounds: BoundsPair) -> u32 {
+        self.bounds.push(bounds);
+        self.links.push([Link::leaf(0); 2]);
+        self.parents.push(Self::ROOT);
+        self.links.len() as u32 - 1
+    }
+
     /// Number of leaves.
     pub(super) fn leaf_count(&self) -> usize {
         self.leaf_starts.len() - 1
@@ -146,31 +182,25 @@ impl WorkTree {
             primitives: Vec::with_capacity(self.primitives.len()),
         };
         self.push_node(&mut tree, Self::ROOT);
-        // Slots of inner nodes whose children are not written yet, with the index of the node that waits for them.
+        // Slots of inner nodes whose children are not written yet, with the index of the node that waits for
+        // them.
         let mut stack = vec![(Self::ROOT, 0_usize)];
         while let Some((slot, index)) = stack.pop() {
-            match self.link(slot).children() {
-                Some(pair) => {
+            tree.nodes[index].content = match self.slot(slot) {
+                Slot::Inner(pair) => {
                     let first_child = tree.nodes.len();
-                    tree.nodes[index].content =
-                        Content::Inner { first_child: first_child as u32, child_count: 2 };
                     self.push_node(&mut tree, 2 * pair);
                     self.push_node(&mut tree, 2 * pair + 1);
-                    stack.push((2 * pair + 1, first_child + 1));
-                    stack.push((2 * pair, first_child));
+                    stack.extend([(2 * pair + 1, first_child + 1), (2 * pair, first_child)]);
+                    Content::Inner { first_child: first_child as u32, child_count: 2 }
                 }
-                None => {
-                    let leaf = self.link(slot).as_leaf().expect("a slot without children is a leaf");
+                Slot::Leaf(leaf) => {
+                    let first_primitive = tree.primitives.len() as u32;
                     let triangles = self.leaf_primitives(leaf);
-                    let first_primitive = tree.primitives.len();
                     tree.primitives.extend_from_slice(triangles);
-                    tree.primitives[first_primitive..].sort_unstable();
-                    tree.nodes[index].content = Content::Leaf {
-                        first_primitive: first_primitive as u32,
-                        primitive_count: triangles.len() as u32,
-                    };
+                    Content::Leaf { first_primitive, primitive_count: triangles.len() as u32 }
                 }
-            }
+            };
         }
         tree
     }

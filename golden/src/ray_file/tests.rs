@@ -7,7 +7,7 @@ fn stream() -> RayStream {
         origin: [i as f32, -0.0, f32::MIN_POSITIVE],
         direction: [f32::from_bits(1), 2.5, -1.0 / 3.0],
         t_min: 0.0,
-        t_max: if i % 2 == 0 { f32::INFINITY } else { 1.0 },
+        t_max: if i.is_multiple_of(2) { f32::INFINITY } else { 1.0 },
     };
     let waves = [
         (RayClass::Primary, 3),

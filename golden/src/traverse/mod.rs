@@ -7,7 +7,7 @@
 //!
 //! The kernels fold planes with the processor's minimum and maximum, whose results differ from
 //! [`minimum_number`](crate::fp::minimum_number) in the sign of a zero at most: `t_min` is never NaN nor -0, and
-//! comparisons do not see the sign of `t_max`. [`leaves`] steps through the specification itself.
+//! comparisons do not see the sign of `t_max`. [`Leaves`] steps through the specification itself.
 
 mod brute_force;
 mod bvh;

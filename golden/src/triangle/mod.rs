@@ -13,8 +13,8 @@
 //! computed, and neither overflow nor underflow. Translation rounds once, the shear factor, its product and
 //! the difference once each, and the factor is at most 1 in magnitude, so a sheared coordinate is off by
 //! less than `6.1 u M`. Over the two products of an edge function that makes `4 (6.1 u M) E + 2 (6.1 u M)^2`, and their own
-//! rounding adds `4.1 u E^2 <= 8.7 u M E`: together less than `34 u M (E + 3 u M)`. [`EDGE_BOUND`] asks for 40, which
-//! covers the rounding of the bound itself. `M` is required to lie in [`RANGE`] so that nothing overflows and what
+//! rounding adds `4.1 u E^2 <= 8.7 u M E`: together less than `34 u M (E + 3 u M)`. `EDGE_BOUND` asks for 40, which
+//! covers the rounding of the bound itself. `M` is required to lie in `RANGE` so that nothing overflows and what
 //! underflows is far below the bound.
 //!
 //! The sign of `t`, which decides whether a ray that starts on a triangle hits it, is that of `depth = U z_a + V z_b + W z_c`,

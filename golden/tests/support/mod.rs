@@ -4,11 +4,8 @@
 pub mod oracle;
 pub mod shapes;
 
-use std::fs::File;
-use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 
-use liblzma::read::XzDecoder;
 use scenes::Mesh;
 
 /// The real scenes that `DUALSPLIT_DATA` holds, by number of triangles.
@@ -17,21 +14,7 @@ pub const SHARED_SCENES: [&str; 5] = ["bunny", "sibenik", "sanmiguel_leaves", "c
 /// A shared scene, or `None` if `DUALSPLIT_DATA` is unset.
 pub fn shared_scene(name: &str) -> Option<Mesh> {
     let folder = PathBuf::from(std::env::var_os("DUALSPLIT_DATA")?);
-    let file = File::open(folder.join("scenes").join(format!("{name}.obj.xz"))).expect("the scene exists");
-    Some(load(&mut BufReader::new(XzDecoder::new(file))))
-}
-
-fn load(reader: &mut impl BufRead) -> Mesh {
-    let options = tobj::LoadOptions { triangulate: true, single_index: true, ..Default::default() };
-    let (models, _) =
-        tobj::load_obj_buf(reader, &options, |_| Ok(Default::default())).expect("a valid OBJ file");
-    let mut mesh = Mesh::default();
-    for model in models {
-        let first = mesh.positions.len() as u32;
-        mesh.positions.extend(model.mesh.positions.as_chunks::<3>().0);
-        mesh.triangles.extend(model.mesh.indices.as_chunks::<3>().0.iter().map(|t| t.map(|i| i + first)));
-    }
-    mesh
+    Some(scenes::obj::load(folder.join("scenes").join(format!("{name}.obj.xz"))).expect("a valid scene"))
 }
 
 /// A triangle soup from corners.

@@ -79,7 +79,7 @@ pub enum GuardError {
 ///
 /// # Errors
 /// [`GuardError`] for the first kernel, in instance order, whose readings differ or that does not elaborate.
-pub fn guard(module: &impl Block) -> Result<GuardReport, GuardError> {
+pub fn guard(module: &dyn Block) -> Result<GuardReport, GuardError> {
     let path = "top";
     let scope = probe::read(module, path)
         .ok_or_else(|| at_module(path, ErrorKind::NotUnderstood("a module without scope".into())))?;

@@ -45,7 +45,7 @@ pub struct ModuleInventory {
     /// Bits of its own two-way multiplexers.
     pub multiplexer_bits: u64,
     /// Its own operations by kind: how many, and the bits of their results together (of the operands, for
-    /// comparisons and reductions). Wiring is not listed.
+    /// comparisons and reductions). Wiring and masking with constants are not listed.
     pub operations: BTreeMap<String, OperationCount>,
 }
 
@@ -96,7 +96,9 @@ fn count_module(module: &Module, instances: u32) -> ModuleInventory {
         if let Op::Mux { .. } = node.op {
             multiplexer_bits += u64::from(node.width);
         }
-        if let Some(name) = operation_name(node.op) {
+        let is_mask = matches!(node.op, Op::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Xor, a, b)
+            if module.graph.constant_value(a).or(module.graph.constant_value(b)).is_some());
+        if let Some(name) = operation_name(node.op).filter(|_| !is_mask) {
             let bits = match node.op {
                 Op::Binary(op, a, _) if op.is_comparison() => module.graph.width(a),
                 Op::Unary(UnaryOp::ReduceAnd | UnaryOp::ReduceOr | UnaryOp::ReduceXor, a) => {

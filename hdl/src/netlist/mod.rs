@@ -18,10 +18,12 @@
 //! `any`, `all`, `xor`; enums, struct fields, arrays of one dimension, interfaces and links. Words are at most
 //! [`MAX_WIDTH`] bits. One clock, no reset, no tristate.
 
+mod compact;
 mod design;
 mod error;
 mod eval;
 mod flatten;
+mod fold;
 mod graph;
 mod guard;
 mod index;
@@ -36,6 +38,7 @@ mod signals;
 mod simplify;
 mod source;
 mod specialise;
+mod statements;
 mod verilog_semantics;
 
 pub use design::{Design, Instance, LocalName, Module, ModuleId, Parameter, Port, Register, SignalType};
@@ -57,13 +60,7 @@ use rust_hdl_core::prelude::Block;
 /// # Errors
 /// Anything that the language or the project's style forbids, with instance path and statement; see
 /// [`ErrorKind`].
-pub fn elaborate(module: &impl Block, name: &str) -> Result<Design, ElaborateError> {
-    let design = elaborate_unchecked(module, name)?;
-    flatten(&design)?;
-    Ok(design)
-}
-
-fn elaborate_unchecked(module: &impl Block, name: &str) -> Result<Design, ElaborateError> {
+pub fn elaborate(module: &dyn Block, name: &str) -> Result<Design, ElaborateError> {
     if is_keyword(name) {
         return Err(lower::at_module(name, ErrorKind::Keyword(name.to_owned())));
     }
@@ -71,5 +68,7 @@ fn elaborate_unchecked(module: &impl Block, name: &str) -> Result<Design, Elabor
         .ok_or_else(|| lower::at_module(name, ErrorKind::NotUnderstood("a module without scope".into())))?;
     let mut templates = lower::Templates::default();
     let top = templates.add(&scope, name)?;
-    Ok(specialise::specialise(&templates.list, top, name))
+    let design = specialise::specialise(&templates.list, top, name);
+    flatten(&design)?;
+    Ok(design)
 }

@@ -8,10 +8,13 @@
 //!
 //! The hierarchy stays: an instance whose rounding mode is tied refers to a module without that port.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use super::design::{Design, Instance, LocalName, Module, ModuleId, Parameter, Register};
-use super::graph::{Graph, NodeId, Op, UnaryOp};
+use super::compact::{Collector, Compact, Live, Variant};
+use super::design::{Design, Instance, Module, ModuleId, Parameter, Register};
+use super::fold::{Folded, Ties, fold_registers};
+use super::graph::{NodeId, Op};
 
 /// The design whose top is the template at position `top`, called `name`.
 pub fn specialise(templates: &[Module], top: usize, name: &str) -> Design {
@@ -22,35 +25,14 @@ pub fn specialise(templates: &[Module], top: usize, name: &str) -> Design {
     Collector::default().collect(&variant, name)
 }
 
-type Ties = Vec<Option<u128>>;
-
-/// A template with constants folded: everything in one new graph, indices as in the template.
-#[derive(Clone)]
-struct Folded {
-    graph: Graph,
-    outputs: Vec<NodeId>,
-    registers: Vec<Register>,
-    instance_inputs: Vec<Vec<NodeId>>,
-    instance_ties: Vec<Ties>,
-    names: Vec<LocalName>,
-}
-
-/// A folded module with dead logic removed; instances refer to further variants.
-#[derive(Clone)]
-struct Variant {
-    module: Module,
-    children: Vec<std::rc::Rc<Variant>>,
-    used_inputs: Vec<bool>,
-}
-
 struct Specialiser<'t> {
     templates: &'t [Module],
-    folded: BTreeMap<(usize, Ties), std::rc::Rc<Folded>>,
-    pruned: BTreeMap<(usize, Ties, Vec<bool>), std::rc::Rc<Variant>>,
+    folded: BTreeMap<(usize, Ties), Rc<Folded>>,
+    pruned: BTreeMap<(usize, Ties, Vec<bool>), Rc<Variant>>,
 }
 
 impl Specialiser<'_> {
-    fn fold(&mut self, template: usize, ties: &Ties) -> std::rc::Rc<Folded> {
+    fn fold(&mut self, template: usize, ties: &Ties) -> Rc<Folded> {
         let memo = (template, ties.clone());
         if let Some(known) = self.folded.get(&memo) {
             return known.clone();
@@ -75,18 +57,12 @@ impl Specialiser<'_> {
                 break folded;
             }
         };
-        let folded = std::rc::Rc::new(folded);
+        let folded = Rc::new(folded);
         self.folded.insert(memo, folded.clone());
         folded
     }
 
-    fn prune(
-        &mut self,
-        template: usize,
-        ties: &Ties,
-        demand: &[bool],
-        keep_ports: bool,
-    ) -> std::rc::Rc<Variant> {
+    fn prune(&mut self, template: usize, ties: &Ties, demand: &[bool], keep_ports: bool) -> Rc<Variant> {
         let memo = (template, ties.clone(), demand.to_vec());
         if let Some(known) = self.pruned.get(&memo) {
             return known.clone();
@@ -160,7 +136,7 @@ impl Specialiser<'_> {
             registers,
             instances,
         };
-        let variant = std::rc::Rc::new(Variant { module, children, used_inputs });
+        let variant = Rc::new(Variant { module, children, used_inputs });
         self.pruned.insert(memo, variant.clone());
         variant
     }
@@ -202,227 +178,5 @@ impl Specialiser<'_> {
             }
         }
         live
-    }
-}
-
-#[derive(Default)]
-struct Live {
-    nodes: BTreeSet<NodeId>,
-    inputs: BTreeSet<u32>,
-    registers: BTreeSet<u32>,
-    /// Outputs that are read, of each instance that has any.
-    instances: BTreeMap<u32, Vec<bool>>,
-}
-
-/// Folds assuming that every register keeps its power-up value, and drops the assumption where the next value
-/// then differs, until it holds: the largest set of registers that never change.
-fn fold_registers(module: &Module, ties: &Ties, instances: &BTreeMap<(u32, u32), u128>) -> Folded {
-    let mut constant: Vec<bool> = vec![true; module.registers.len()];
-    loop {
-        let mut graph = Graph::default();
-        let map = rewrite(&module.graph, &mut graph, |graph, op, width| match op {
-            Op::Input(i) => ties[i as usize].map(|value| graph.constant(value, width)),
-            Op::Register(r) if constant[r as usize] => {
-                Some(graph.constant(module.registers[r as usize].initial, width))
-            }
-            Op::Instance { instance, output } => {
-                instances.get(&(instance, output)).map(|&value| graph.constant(value, width))
-            }
-            _ => None,
-        });
-        let at = |node: NodeId| map[node.index()];
-        let mut stable = true;
-        for (assumed, register) in constant.iter_mut().zip(&module.registers) {
-            let disabled = register.enable.is_some_and(|e| graph.constant_value(at(e)) == Some(0));
-            if *assumed && !disabled && graph.constant_value(at(register.data)) != Some(register.initial) {
-                *assumed = false;
-                stable = false;
-            }
-        }
-        if !stable {
-            continue;
-        }
-        let mut registers = Vec::with_capacity(module.registers.len());
-        for (r, register) in module.registers.iter().enumerate() {
-            let mut folded =
-                Register { data: at(register.data), enable: register.enable.map(at), ..register.clone() };
-            extract_enable(&mut graph, r as u32, &mut folded);
-            folded.enable = folded.enable.filter(|&enable| graph.constant_value(enable) != Some(1));
-            registers.push(folded);
-        }
-        return Folded {
-            outputs: module.outputs.iter().map(|(_, node)| at(*node)).collect(),
-            registers,
-            instance_inputs: (module.instances.iter())
-                .map(|instance| instance.inputs.iter().map(|&node| at(node)).collect())
-                .collect(),
-            instance_ties: Vec::new(),
-            names: (module.names.iter())
-                .map(|local| LocalName { node: at(local.node), ..local.clone() })
-                .collect(),
-            graph,
-        };
-    }
-}
-
-/// Copies every node into `into` by way of the simplifying constructors; `replace` may put another node in the
-/// place of a source. Returns the new id of each node.
-fn rewrite(
-    from: &Graph,
-    into: &mut Graph,
-    mut replace: impl FnMut(&mut Graph, Op, u32) -> Option<NodeId>,
-) -> Vec<NodeId> {
-    let mut map: Vec<NodeId> = Vec::with_capacity(from.nodes().len());
-    for node in from.nodes() {
-        let new = match replace(into, node.op, node.width) {
-            Some(replacement) => replacement,
-            None => into.build(node.op.map_operands(|id| map[id.index()]), node.width),
-        };
-        map.push(new);
-    }
-    map
-}
-
-/// Turns `q <= c ? x : q` into `if (c) q <= x`.
-fn extract_enable(graph: &mut Graph, register: u32, folded: &mut Register) {
-    while let Op::Mux { select, when_true, when_false } = graph.op(folded.data) {
-        let holds = |node| graph.op(node) == Op::Register(register);
-        let (condition, data) = if holds(when_false) {
-            (select, when_true)
-        } else if holds(when_true) {
-            (graph.unary(UnaryOp::Not, select), when_false)
-        } else {
-            return;
-        };
-        folded.data = data;
-        folded.enable = Some(match folded.enable {
-            Some(enable) => graph.binary(super::graph::BinaryOp::And, enable, condition),
-            None => condition,
-        });
-    }
-}
-
-/// Copies live nodes into a graph of their own, ports renumbered.
-struct Compact<'f> {
-    folded: &'f Folded,
-    live: &'f Live,
-    graph: Graph,
-    map: BTreeMap<NodeId, NodeId>,
-    inputs: BTreeMap<u32, u32>,
-    registers: BTreeMap<u32, u32>,
-    instances: BTreeMap<u32, (u32, Vec<bool>)>,
-}
-
-impl<'f> Compact<'f> {
-    fn new(folded: &'f Folded, live: &'f Live) -> Self {
-        let registers = live.registers.iter().zip(0..).map(|(&old, new)| (old, new)).collect();
-        Self {
-            folded,
-            live,
-            graph: Graph::default(),
-            map: BTreeMap::new(),
-            inputs: BTreeMap::new(),
-            registers,
-            instances: BTreeMap::new(),
-        }
-    }
-
-    fn number_inputs(&mut self, used: &[bool]) {
-        let kept = (0u32..).zip(used).filter(|(_, used)| **used).map(|(old, _)| old);
-        self.inputs = kept.zip(0..).collect();
-    }
-
-    fn number_instance(&mut self, old: u32, outputs: &[bool]) {
-        let new = self.instances.len() as u32;
-        self.instances.insert(old, (new, outputs.to_vec()));
-    }
-
-    /// The copy of a live node. All live nodes are copied at the first call, in the order of the old graph.
-    fn node(&mut self, old: NodeId) -> NodeId {
-        if self.map.is_empty() {
-            for &id in &self.live.nodes {
-                let mut node = self.folded.graph.node(id);
-                node.op = match node.op {
-                    Op::Input(i) => Op::Input(self.inputs[&i]),
-                    Op::Register(r) => Op::Register(self.registers[&r]),
-                    Op::Instance { instance, output } => {
-                        let (new, outputs) = &self.instances[&instance];
-                        let position = outputs[..output as usize].iter().filter(|read| **read).count();
-                        Op::Instance { instance: *new, output: position as u32 }
-                    }
-                    op => op.map_operands(|operand| self.map[&operand]),
-                };
-                let new = self.graph.intern(node);
-                self.map.insert(id, new);
-            }
-        }
-        self.map[&old]
-    }
-
-    /// The names of live values. Constants need none.
-    fn names(&self, names: &[LocalName]) -> Vec<LocalName> {
-        let live = |name: &LocalName| {
-            let &node = self.map.get(&name.node)?;
-            let is_constant = self.graph.constant_value(node).is_some();
-            (!is_constant).then(|| LocalName { node, ..name.clone() })
-        };
-        names.iter().filter_map(live).collect()
-    }
-}
-
-/// Gathers the variants of a hierarchy into a design, equal ones once, under unique names.
-#[derive(Default)]
-struct Collector {
-    modules: Vec<Module>,
-    known: Vec<(*const Variant, ModuleId)>,
-}
-
-impl Collector {
-    fn collect(mut self, top: &std::rc::Rc<Variant>, name: &str) -> Design {
-        let id = self.add(top);
-        let mut used = BTreeSet::from([name.to_owned()]);
-        let mut totals: BTreeMap<String, u32> = BTreeMap::new();
-        for module in &self.modules {
-            *totals.entry(module.kind.clone()).or_default() += 1;
-        }
-        let mut counts: BTreeMap<String, u32> = BTreeMap::new();
-        for (position, module) in self.modules.iter_mut().enumerate() {
-            if position == id.index() {
-                name.clone_into(&mut module.name);
-                continue;
-            }
-            let count = counts.entry(module.kind.clone()).or_default();
-            loop {
-                *count += 1;
-                module.name = match totals[&module.kind] {
-                    1 if *count == 1 => module.kind.clone(),
-                    _ => format!("{}_v{count}", module.kind),
-                };
-                if used.insert(module.name.clone()) {
-                    break;
-                }
-            }
-        }
-        Design { modules: self.modules }
-    }
-
-    fn add(&mut self, variant: &std::rc::Rc<Variant>) -> ModuleId {
-        let pointer = std::rc::Rc::as_ptr(variant);
-        if let Some((_, id)) = self.known.iter().find(|(known, _)| *known == pointer) {
-            return *id;
-        }
-        let mut module = variant.module.clone();
-        for (instance, child) in module.instances.iter_mut().zip(&variant.children) {
-            instance.module = self.add(child);
-        }
-        let id = match self.modules.iter().position(|known| *known == module) {
-            Some(position) => ModuleId(position as u32),
-            None => {
-                self.modules.push(module);
-                ModuleId(self.modules.len() as u32 - 1)
-            }
-        };
-        self.known.push((pointer, id));
-        id
     }
 }

@@ -74,6 +74,9 @@ pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> 
     t_max_6: Dff<Bits<W>>,
 
     // Cycle 7.
+    latest_entry: Signal<Local, Bits<W>>,
+    earliest_exit: Signal<Local, Bits<W>>,
+    runs_down: Signal<Local, Bits<1>>,
     fold_entry: FpMinMax<E, S, W, 1>,
     fold_exit: FpMinMax<E, S, W, 1>,
     header_wait: Delay<32, 2>,
@@ -82,6 +85,7 @@ pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> 
     t_max_7: Dff<Bits<W>>,
 
     // Cycle 8.
+    near_start: Signal<Local, Bits<W>>,
     accept_near: FpCmp<E, S, W, 1>,
     accept_far: FpCmp<E, S, W, 1>,
     second_offset: IntAdd<32, 1>,
@@ -99,6 +103,11 @@ pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> 
     near: Signal<Local, Bit>,
     far: Signal<Local, Bit>,
     negative: Signal<Local, Bit>,
+    code: Signal<Local, Bits<2>>,
+    near_offset: Signal<Local, Bits<32>>,
+    near_t_min: Signal<Local, Bits<W>>,
+    near_t_max: Signal<Local, Bits<W>>,
+    far_offset: Signal<Local, Bits<32>>,
 }
 
 impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, S, W> {
@@ -134,10 +143,11 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.fold_entry.valid_i.next = self.combine.valid_o.val();
         self.fold_entry.tag_i.next = 0.into();
         self.fold_entry.a_i.next = self.t_min_6.q.val();
-        self.fold_entry.b_i.next = self.entry_t.q.val();
+        self.latest_entry.next = self.entry_t.q.val();
         if self.two_entries.q.val() {
-            self.fold_entry.b_i.next = self.combine.result_o.val();
+            self.latest_entry.next = self.combine.result_o.val();
         }
+        self.fold_entry.b_i.next = self.latest_entry.val();
         self.fold_entry.maximum_i.next = true;
         self.fold_entry.propagate_nan_i.next = false;
         self.fold_exit.clk_i.next = self.clk_i.val();
@@ -145,10 +155,11 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.fold_exit.valid_i.next = self.combine.valid_o.val();
         self.fold_exit.tag_i.next = 0.into();
         self.fold_exit.a_i.next = self.t_max_6.q.val();
-        self.fold_exit.b_i.next = self.exit_t.q.val();
+        self.earliest_exit.next = self.exit_t.q.val();
         if self.two_exits.q.val() {
-            self.fold_exit.b_i.next = self.combine.result_o.val();
+            self.earliest_exit.next = self.combine.result_o.val();
         }
+        self.fold_exit.b_i.next = self.earliest_exit.val();
         self.fold_exit.maximum_i.next = false;
         self.fold_exit.propagate_nan_i.next = false;
         self.header_wait.clk_i.next = self.clk_i.val();
@@ -157,20 +168,22 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.fields.header_i.next = self.header_wait.q_o.val();
         self.downward.clk_i.next = self.clk_i.val();
         self.downward.en_i.next = self.en_i.val();
-        self.downward.d_i.next = 0.into();
+        self.runs_down.next = 0.into();
         if !self.exit_0_i.val() {
-            self.downward.d_i.next = 1.into();
+            self.runs_down.next = 1.into();
         }
+        self.downward.d_i.next = self.runs_down.val();
 
         // Cycle 8: compare, and add the size of the left child to its offset.
         self.accept_near.clk_i.next = self.clk_i.val();
         self.accept_near.en_i.next = self.en_i.val();
         self.accept_near.valid_i.next = self.fold_entry.valid_o.val();
         self.accept_near.tag_i.next = 0.into();
-        self.accept_near.a_i.next = self.t_min_7.q.val();
+        self.near_start.next = self.t_min_7.q.val();
         if self.fields.carve_o.val() {
-            self.accept_near.a_i.next = self.fold_entry.result_o.val();
+            self.near_start.next = self.fold_entry.result_o.val();
         }
+        self.accept_near.a_i.next = self.near_start.val();
         self.accept_near.b_i.next = self.fold_exit.result_o.val();
         self.accept_far.clk_i.next = self.clk_i.val();
         self.accept_far.en_i.next = self.en_i.val();
@@ -208,38 +221,43 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.near.next = self.accept_near.le_o.val();
         self.far.next = self.accept_far.le_o.val();
         self.negative.next = self.downward.q_o.val().any();
-        self.code_o.next = 0.into();
+        self.code.next = 0.into();
         if self.is_split.val() {
             if self.near.val() | self.far.val() {
-                self.code_o.next = 1.into();
+                self.code.next = 1.into();
             }
             if self.near.val() & self.far.val() {
-                self.code_o.next = 2.into();
+                self.code.next = 2.into();
             }
         } else if self.leaf.q.val() {
             if !self.carve.q.val() | self.near.val() {
-                self.code_o.next = 3.into();
+                self.code.next = 3.into();
             }
         } else if self.near.val() {
-            self.code_o.next = 1.into();
+            self.code.next = 1.into();
         }
         // A ray that runs downwards meets the right child, which has the second offset, first.
-        self.near_offset_o.next = self.first_offset.q.val();
+        self.near_offset.next = self.first_offset.q.val();
         if self.is_split.val() & (self.near.val() == self.negative.val()) {
-            self.near_offset_o.next = self.second_offset.sum_o.val();
+            self.near_offset.next = self.second_offset.sum_o.val();
         }
-        self.near_t_min_o.next = self.t_min_8.q.val();
+        self.near_t_min.next = self.t_min_8.q.val();
         if self.carve.q.val() | (self.is_split.val() & !self.near.val()) {
-            self.near_t_min_o.next = self.lower.q.val();
+            self.near_t_min.next = self.lower.q.val();
         }
-        self.near_t_max_o.next = self.t_max_8.q.val();
+        self.near_t_max.next = self.t_max_8.q.val();
         if self.carve.q.val() | (self.is_split.val() & self.near.val()) {
-            self.near_t_max_o.next = self.upper.q.val();
+            self.near_t_max.next = self.upper.q.val();
         }
-        self.far_offset_o.next = self.second_offset.sum_o.val();
+        self.far_offset.next = self.second_offset.sum_o.val();
         if self.negative.val() {
-            self.far_offset_o.next = self.first_offset.q.val();
+            self.far_offset.next = self.first_offset.q.val();
         }
+        self.code_o.next = self.code.val();
+        self.near_offset_o.next = self.near_offset.val();
+        self.near_t_min_o.next = self.near_t_min.val();
+        self.near_t_max_o.next = self.near_t_max.val();
+        self.far_offset_o.next = self.far_offset.val();
         self.far_t_min_o.next = self.lower.q.val();
         self.far_t_max_o.next = self.t_max_8.q.val();
         self.valid_o.next = self.accept_near.valid_o.val();

@@ -83,6 +83,7 @@ pub(super) struct DualSplitSelect<const E: usize, const S: usize, const W: usize
 
     // Waiting lines.
     runs_down: [Signal<Local, Bit>; 2],
+    leaving: [Signal<Local, Bits<1>>; 2],
     inv_wait: [Delay<W, 3>; 2],
     exit_wait: [Delay<1, 4>; 2],
     header_wait: Delay<32, 5>,
@@ -101,7 +102,7 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Default for
             inv_entry_x_i, inv_entry_y_i, inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i, t_min_i, t_max_i,
             valid_o, plane_o, origin_o, inv_o, t_min_o, t_max_o, header_o, exit_o,
             fields, dual, axis, min_side, select, valid, plane_0, plane_1, origin, negative, side,
-            runs_down, inv_wait, exit_wait, header_wait, t_min_wait, t_max_wait,
+            runs_down, leaving, inv_wait, exit_wait, header_wait, t_min_wait, t_max_wait,
         }
     }
 }
@@ -185,10 +186,11 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for D
             self.inv_o[i].next = self.inv_wait[i].q_o.val();
             self.exit_wait[i].clk_i.next = self.clk_i.val();
             self.exit_wait[i].en_i.next = self.en_i.val();
-            self.exit_wait[i].d_i.next = 0.into();
+            self.leaving[i].next = 0.into();
             if self.runs_down[i].val() == self.side[i].q.val() {
-                self.exit_wait[i].d_i.next = 1.into();
+                self.leaving[i].next = 1.into();
             }
+            self.exit_wait[i].d_i.next = self.leaving[i].val();
             self.exit_o[i].next = self.exit_wait[i].q_o.val().any();
         }
         self.header_wait.clk_i.next = self.clk_i.val();

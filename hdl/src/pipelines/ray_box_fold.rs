@@ -48,6 +48,7 @@ pub(super) struct RayBoxFold<const E: usize, const S: usize, const W: usize, con
     leave: FpMinMax<E, S, W, 1>,
     t_min_wait: Delay<W, 2>,
     accept: [FpCmp<E, S, W, 1>; C],
+    hit: Signal<Local, Bit>,
     t_entry: Dff<Bits<W>>,
 }
 
@@ -58,7 +59,7 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Default for
         module! {
             accept = std::array::from_fn(|_| FpCmp::default());
             clk_i, en_i, valid_i, t_i, t_min_i, t_max_i, valid_o, hit_o, t_entry_o,
-            axis_near, axis_far, entry_half, exit_half, entry, leave, t_min_wait, t_entry,
+            axis_near, axis_far, entry_half, exit_half, entry, leave, t_min_wait, hit, t_entry,
         }
     }
 }
@@ -137,18 +138,19 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for R
             self.accept[i].en_i.next = self.en_i.val();
             self.accept[i].valid_i.next = self.entry.valid_o.val();
             self.accept[i].tag_i.next = 0.into();
-            self.accept[i].a_i.next = self.leave.result_o.val();
-            self.accept[i].b_i.next = self.t_min_wait.q_o.val();
         }
         self.accept[0].a_i.next = self.entry.result_o.val();
         self.accept[0].b_i.next = self.leave.result_o.val();
+        self.hit.next = self.accept[0].le_o.val();
+        for i in 1..C {
+            self.accept[i].a_i.next = self.leave.result_o.val();
+            self.accept[i].b_i.next = self.t_min_wait.q_o.val();
+            self.hit.next = self.hit.val() & !self.accept[i].lt_o.val();
+        }
         if self.en_i.val() {
             self.t_entry.d.next = self.entry.result_o.val();
         }
-        self.hit_o.next = self.accept[0].le_o.val();
-        for i in 1..C {
-            self.hit_o.next = self.accept[0].le_o.val() & !self.accept[i].lt_o.val();
-        }
+        self.hit_o.next = self.hit.val();
         self.valid_o.next = self.accept[0].valid_o.val();
         self.t_entry_o.next = self.t_entry.q.val();
     }

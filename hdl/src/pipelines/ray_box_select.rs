@@ -36,6 +36,8 @@ pub(super) struct RayBoxSelect<const W: usize> {
     sign_index: Constant<Bits<8>>,
     inv_entry: [Signal<Local, Bits<W>>; 3],
     inv_exit: [Signal<Local, Bits<W>>; 3],
+    inv_low: [Signal<Local, Bits<W>>; 3],
+    inv_high: [Signal<Local, Bits<W>>; 3],
     inv_wait: [Delay<W, 2>; 6],
     t_min_wait: Delay<W, 5>,
     t_max_wait: Delay<W, 5>,
@@ -46,7 +48,7 @@ impl<const W: usize> Default for RayBoxSelect<W> {
         module! {
             sign_index = Constant::new((W as u64 - 1).into());
             clk_i, en_i, inv_entry_x_i, inv_entry_y_i, inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i,
-            t_min_i, t_max_i, inv_o, t_min_o, t_max_o, inv_entry, inv_exit, inv_wait, t_min_wait, t_max_wait,
+            t_min_i, t_max_i, inv_o, t_min_o, t_max_o, inv_entry, inv_exit, inv_low, inv_high, inv_wait, t_min_wait, t_max_wait,
         }
     }
 }
@@ -61,12 +63,14 @@ impl<const W: usize> Logic for RayBoxSelect<W> {
         self.inv_exit[1].next = self.inv_exit_y_i.val();
         self.inv_exit[2].next = self.inv_exit_z_i.val();
         for i in 0..3 {
-            self.inv_wait[i].d_i.next = self.inv_entry[i].val();
-            self.inv_wait[i + 3].d_i.next = self.inv_exit[i].val();
+            self.inv_low[i].next = self.inv_entry[i].val();
+            self.inv_high[i].next = self.inv_exit[i].val();
             if self.inv_entry[i].val().get_bit(self.sign_index.val().index()) {
-                self.inv_wait[i].d_i.next = self.inv_exit[i].val();
-                self.inv_wait[i + 3].d_i.next = self.inv_entry[i].val();
+                self.inv_low[i].next = self.inv_exit[i].val();
+                self.inv_high[i].next = self.inv_entry[i].val();
             }
+            self.inv_wait[i].d_i.next = self.inv_low[i].val();
+            self.inv_wait[i + 3].d_i.next = self.inv_high[i].val();
         }
         for i in 0..6 {
             self.inv_wait[i].clk_i.next = self.clk_i.val();

@@ -40,8 +40,10 @@ pub(super) struct RaySelect<const W: usize> {
     pub negative_o: Signal<Out, Bit>,
     pub exit_o: Signal<Out, Bit>,
     sign_index: Constant<Bits<8>>,
+    origin: Signal<Local, Bits<W>>,
     inv_entry: Signal<Local, Bits<W>>,
     inv_exit: Signal<Local, Bits<W>>,
+    inv: Signal<Local, Bits<W>>,
     negative: Signal<Local, Bit>,
     leaving: Signal<Local, Bit>,
 }
@@ -52,7 +54,7 @@ impl<const W: usize> Default for RaySelect<W> {
             sign_index = Constant::new((W as u64 - 1).into());
             axis_i, min_side_i, origin_x_i, origin_y_i, origin_z_i, inv_entry_x_i, inv_entry_y_i, inv_entry_z_i,
             inv_exit_x_i, inv_exit_y_i, inv_exit_z_i, origin_o, inv_o, inv_entry_o, negative_o, exit_o,
-            inv_entry, inv_exit, negative, leaving,
+            origin, inv_entry, inv_exit, inv, negative, leaving,
         }
     }
 }
@@ -60,25 +62,27 @@ impl<const W: usize> Default for RaySelect<W> {
 impl<const W: usize> Logic for RaySelect<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        self.origin_o.next = self.origin_z_i.val();
+        self.origin.next = self.origin_z_i.val();
         self.inv_entry.next = self.inv_entry_z_i.val();
         self.inv_exit.next = self.inv_exit_z_i.val();
         if self.axis_i.val() == 0 {
-            self.origin_o.next = self.origin_x_i.val();
+            self.origin.next = self.origin_x_i.val();
             self.inv_entry.next = self.inv_entry_x_i.val();
             self.inv_exit.next = self.inv_exit_x_i.val();
         }
         if self.axis_i.val() == 1 {
-            self.origin_o.next = self.origin_y_i.val();
+            self.origin.next = self.origin_y_i.val();
             self.inv_entry.next = self.inv_entry_y_i.val();
             self.inv_exit.next = self.inv_exit_y_i.val();
         }
         self.negative.next = self.inv_entry.val().get_bit(self.sign_index.val().index());
         self.leaving.next = self.negative.val() == self.min_side_i.val();
-        self.inv_o.next = self.inv_entry.val();
+        self.inv.next = self.inv_entry.val();
         if self.leaving.val() {
-            self.inv_o.next = self.inv_exit.val();
+            self.inv.next = self.inv_exit.val();
         }
+        self.origin_o.next = self.origin.val();
+        self.inv_o.next = self.inv.val();
         self.inv_entry_o.next = self.inv_entry.val();
         self.negative_o.next = self.negative.val();
         self.exit_o.next = self.leaving.val();

@@ -162,6 +162,14 @@ pub struct SharedUnits<
     dual_split: Signal<Local, Bit>,
     plane: [Signal<Local, Bits<W>>; 6],
     origin: [Signal<Local, Bits<W>>; 6],
+    taken: [Signal<Local, Bit>; 8],
+    add_valid: [Signal<Local, Bit>; 8],
+    add_a: [Signal<Local, Bits<W>>; 8],
+    add_b: [Signal<Local, Bits<W>>; 8],
+    add_subtract: [Signal<Local, Bit>; 8],
+    mul_valid: [Signal<Local, Bit>; 8],
+    mul_a: [Signal<Local, Bits<W>>; 8],
+    mul_b: [Signal<Local, Bits<W>>; 8],
     add: [FpAdd<E, S, W, X, R, N, T>; 8],
     mul: [FpMul<E, S, W, X, R, P, T>; 8],
     box_select: RayBoxSelect<W>,
@@ -230,56 +238,64 @@ impl<
 
         // The threads have every unit ...
         for i in 0..8 {
-            self.add[i].clk_i.next = self.clk_i.val();
-            self.add[i].en_i.next = self.en_i.val();
-            self.add[i].valid_i.next = self.add_valid_i[i].val();
-            self.add[i].tag_i.next = self.add_tag_i[i].val();
-            self.add[i].a_i.next = self.add_a_i[i].val();
-            self.add[i].b_i.next = self.add_b_i[i].val();
-            self.add[i].subtract_i.next = self.add_subtract_i[i].val();
-            self.add[i].rounding_i.next = 0.into();
-            self.add_valid_o[i].next = self.add[i].valid_o.val();
-            self.add_tag_o[i].next = self.add[i].tag_o.val();
-            self.add_result_o[i].next = self.add[i].result_o.val();
-            self.mul[i].clk_i.next = self.clk_i.val();
-            self.mul[i].en_i.next = self.en_i.val();
-            self.mul[i].valid_i.next = self.mul_valid_i[i].val();
-            self.mul[i].tag_i.next = self.mul_tag_i[i].val();
-            self.mul[i].a_i.next = self.mul_a_i[i].val();
-            self.mul[i].b_i.next = self.mul_b_i[i].val();
-            self.mul[i].rounding_i.next = 0.into();
-            self.mul_valid_o[i].next = self.mul[i].valid_o.val();
-            self.mul_tag_o[i].next = self.mul[i].tag_o.val();
-            self.mul_result_o[i].next = self.mul[i].result_o.val();
+            self.add_valid[i].next = self.add_valid_i[i].val();
+            self.add_a[i].next = self.add_a_i[i].val();
+            self.add_b[i].next = self.add_b_i[i].val();
+            self.add_subtract[i].next = self.add_subtract_i[i].val();
+            self.mul_valid[i].next = self.mul_valid_i[i].val();
+            self.mul_a[i].next = self.mul_a_i[i].val();
+            self.mul_b[i].next = self.mul_b_i[i].val();
+            self.taken[i].next = false;
         }
         // ... except six of each in ray-box mode ...
         for i in 0..6 {
             if self.ray_box.val() {
-                self.add[i].valid_i.next = self.valid_i.val();
-                self.add[i].a_i.next = self.plane[i].val();
-                self.add[i].b_i.next = self.origin[i].val();
-                self.add[i].subtract_i.next = true;
-                self.add_valid_o[i].next = false;
-                self.mul[i].valid_i.next = self.add[i].valid_o.val();
-                self.mul[i].a_i.next = self.add[i].result_o.val();
-                self.mul[i].b_i.next = self.box_select.inv_o[i].val();
-                self.mul_valid_o[i].next = false;
+                self.add_valid[i].next = self.valid_i.val();
+                self.add_a[i].next = self.plane[i].val();
+                self.add_b[i].next = self.origin[i].val();
+                self.add_subtract[i].next = true;
+                self.mul_valid[i].next = self.add[i].valid_o.val();
+                self.mul_a[i].next = self.add[i].result_o.val();
+                self.mul_b[i].next = self.box_select.inv_o[i].val();
+                self.taken[i].next = true;
             }
             self.box_fold.t_i[i].next = self.mul[i].result_o.val();
         }
         // ... and two of each in dual-split mode.
         for i in 0..2 {
             if self.dual_split.val() {
-                self.add[i].valid_i.next = self.node_select.valid_o.val();
-                self.add[i].a_i.next = self.node_select.plane_o[i].val();
-                self.add[i].b_i.next = self.node_select.origin_o[i].val();
-                self.add[i].subtract_i.next = true;
-                self.add_valid_o[i].next = false;
-                self.mul[i].valid_i.next = self.add[i].valid_o.val();
-                self.mul[i].a_i.next = self.add[i].result_o.val();
-                self.mul[i].b_i.next = self.node_select.inv_o[i].val();
-                self.mul_valid_o[i].next = false;
+                self.add_valid[i].next = self.node_select.valid_o.val();
+                self.add_a[i].next = self.node_select.plane_o[i].val();
+                self.add_b[i].next = self.node_select.origin_o[i].val();
+                self.add_subtract[i].next = true;
+                self.mul_valid[i].next = self.add[i].valid_o.val();
+                self.mul_a[i].next = self.add[i].result_o.val();
+                self.mul_b[i].next = self.node_select.inv_o[i].val();
+                self.taken[i].next = true;
             }
+        }
+        for i in 0..8 {
+            self.add[i].clk_i.next = self.clk_i.val();
+            self.add[i].en_i.next = self.en_i.val();
+            self.add[i].valid_i.next = self.add_valid[i].val();
+            self.add[i].tag_i.next = self.add_tag_i[i].val();
+            self.add[i].a_i.next = self.add_a[i].val();
+            self.add[i].b_i.next = self.add_b[i].val();
+            self.add[i].subtract_i.next = self.add_subtract[i].val();
+            self.add[i].rounding_i.next = 0.into();
+            self.add_valid_o[i].next = self.add[i].valid_o.val() & !self.taken[i].val();
+            self.add_tag_o[i].next = self.add[i].tag_o.val();
+            self.add_result_o[i].next = self.add[i].result_o.val();
+            self.mul[i].clk_i.next = self.clk_i.val();
+            self.mul[i].en_i.next = self.en_i.val();
+            self.mul[i].valid_i.next = self.mul_valid[i].val();
+            self.mul[i].tag_i.next = self.mul_tag_i[i].val();
+            self.mul[i].a_i.next = self.mul_a[i].val();
+            self.mul[i].b_i.next = self.mul_b[i].val();
+            self.mul[i].rounding_i.next = 0.into();
+            self.mul_valid_o[i].next = self.mul[i].valid_o.val() & !self.taken[i].val();
+            self.mul_tag_o[i].next = self.mul[i].tag_o.val();
+            self.mul_result_o[i].next = self.mul[i].result_o.val();
         }
 
         // Results of the pipelines.

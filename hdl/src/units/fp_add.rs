@@ -117,6 +117,7 @@ pub struct FpAdd<
     normal: Signal<Local, Bits<N>>,
     raw_exponent: Signal<Local, Bits<X>>,
     raw_significand: Signal<Local, Bits<N>>,
+    result_sign: Signal<Local, Bit>,
     rounder: Rounder<E, S, W, X, R>,
 
     // Outputs.
@@ -155,7 +156,7 @@ impl<
             sign_b, differ, magnitude_a, magnitude_b, swap, high_sign, high_exponent, low_exponent, high_significand,
             low_significand, high, low, align, total,
             valid_1, tag_1, rounding, nan, infinity, sign, zero_sign, exponent, sum,
-            budget, normal, raw_exponent, raw_significand,
+            budget, normal, raw_exponent, raw_significand, result_sign,
             valid_2, tag_2, result,
         }
     }
@@ -253,10 +254,11 @@ impl<
         }
 
         // Round.
-        self.rounder.sign_i.next = self.sign.q.val();
+        self.result_sign.next = self.sign.q.val();
         if !self.sum.q.val().any() & !self.infinity.q.val() {
-            self.rounder.sign_i.next = self.zero_sign.q.val();
+            self.result_sign.next = self.zero_sign.q.val();
         }
+        self.rounder.sign_i.next = self.result_sign.val();
         self.rounder.exponent_i.next = self.raw_exponent.val() + 1;
         self.rounder.significand_i.next = bit_cast::<R, N>(self.raw_significand.val());
         self.rounder.nan_i.next = self.nan.q.val();

@@ -36,7 +36,9 @@ pub(super) struct FpUnpack<const E: usize, const S: usize, const W: usize> {
     hidden_bit: Constant<Bits<S>>,
     special_exponent: Constant<Bits<E>>,
     shifted: Signal<Local, Bits<W>>,
+    code: Signal<Local, Bits<E>>,
     exponent: Signal<Local, Bits<E>>,
+    significand: Signal<Local, Bits<S>>,
     fraction: Signal<Local, Bits<S>>,
     special: Signal<Local, Bit>,
 }
@@ -53,7 +55,8 @@ impl<const E: usize, const S: usize, const W: usize> FpUnpack<E, S, W> {
             fraction_mask = Constant::new((hidden_bit - 1).into()),
             hidden_bit = Constant::new(hidden_bit.into()),
             special_exponent = Constant::new(Bits::mask());
-            word_i, sign_o, exponent_o, significand_o, nan_o, infinity_o, shifted, exponent, fraction, special,
+            word_i, sign_o, exponent_o, significand_o, nan_o, infinity_o, shifted, code, exponent, fraction,
+            significand, special,
         }
     }
 }
@@ -62,20 +65,22 @@ impl<const E: usize, const S: usize, const W: usize> Logic for FpUnpack<E, S, W>
     #[hdl_gen]
     fn update(&mut self) {
         self.shifted.next = self.word_i.val() >> self.fraction_bits.val();
-        self.exponent.next = bit_cast::<E, W>(self.shifted.val());
+        self.code.next = bit_cast::<E, W>(self.shifted.val());
         self.fraction.next = bit_cast::<S, W>(self.word_i.val()) & self.fraction_mask.val();
-        self.special.next = self.exponent.val() == self.special_exponent.val();
+        self.special.next = self.code.val() == self.special_exponent.val();
+        self.exponent.next = self.code.val();
+        self.significand.next = self.fraction.val() | self.hidden_bit.val();
+        if !self.code.val().any() {
+            self.exponent.next = 1.into();
+            self.significand.next = self.fraction.val();
+            if self.flush.val() {
+                self.significand.next = 0.into();
+            }
+        }
 
         self.sign_o.next = self.word_i.val().get_bit(self.sign_index.val().index());
         self.exponent_o.next = self.exponent.val();
-        self.significand_o.next = self.fraction.val() | self.hidden_bit.val();
-        if !self.exponent.val().any() {
-            self.exponent_o.next = 1.into();
-            self.significand_o.next = self.fraction.val();
-            if self.flush.val() {
-                self.significand_o.next = 0.into();
-            }
-        }
+        self.significand_o.next = self.significand.val();
         self.nan_o.next = self.special.val() & self.fraction.val().any();
         self.infinity_o.next = self.special.val() & !self.fraction.val().any();
     }

@@ -62,8 +62,9 @@ pub(super) struct Rounder<const E: usize, const S: usize, const W: usize, const 
     overflow: Signal<Local, Bit>,
     fraction: Signal<Local, Bits<R>>,
     field: Signal<Local, Bits<W>>,
-    packed: Signal<Local, Bits<W>>,
+    encoded: Signal<Local, Bits<W>>,
     magnitude: Signal<Local, Bits<W>>,
+    word: Signal<Local, Bits<W>>,
 }
 
 impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: usize> Rounder<E, S, W, X, R> {
@@ -83,7 +84,7 @@ impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: us
             canonical_nan = word(format.canonical_nan()),
             sign_bit = word(format.sign_bit());
             sign_i, exponent_i, significand_i, nan_i, infinity_i, rounding_i, result_o,
-            leading, inexact, away, to_infinity, increment, overflow, fraction, field, packed, magnitude,
+            leading, inexact, away, to_infinity, increment, overflow, fraction, field, encoded, magnitude, word,
         }
     }
 }
@@ -116,10 +117,10 @@ impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: us
             self.field.next = bit_cast::<W, X>(self.exponent_i.val());
         }
         self.field.next = self.field.val() << self.fraction_bits.val();
-        self.packed.next = self.field.val() | bit_cast::<W, R>(self.fraction.val());
-        self.magnitude.next = self.packed.val();
+        self.encoded.next = self.field.val() | bit_cast::<W, R>(self.fraction.val());
+        self.magnitude.next = self.encoded.val();
         if self.increment.val() {
-            self.magnitude.next = self.packed.val() + 1;
+            self.magnitude.next = self.encoded.val() + 1;
         }
 
         // Results outside the normal range.
@@ -140,13 +141,14 @@ impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: us
         if self.infinity_i.val() {
             self.magnitude.next = self.infinity.val();
         }
-        self.result_o.next = self.magnitude.val();
+        self.word.next = self.magnitude.val();
         if self.sign_i.val() {
-            self.result_o.next = self.magnitude.val() | self.sign_bit.val();
+            self.word.next = self.magnitude.val() | self.sign_bit.val();
         }
         if self.nan_i.val() {
-            self.result_o.next = self.canonical_nan.val();
+            self.word.next = self.canonical_nan.val();
         }
+        self.result_o.next = self.word.val();
     }
 
     fn timing(&self) -> Vec<TimingInfo> {

@@ -51,10 +51,10 @@ impl<const N: usize, const A: usize> Logic for StickyShift<N, A> {
                 self.value.next = self.value.val() >> self.distance[i].val();
             }
         }
-        self.result_o.next = self.value.val();
         if self.sticky.val() {
-            self.result_o.next = self.value.val() | 1;
+            self.value.next = self.value.val() | 1;
         }
+        self.result_o.next = self.value.val();
     }
 
     fn timing(&self) -> Vec<TimingInfo> {

@@ -13,7 +13,7 @@ use super::identifier::{CLOCK, Namespace, plain, port_names};
 use crate::netlist::{Design, Module};
 
 /// The Verilog that rust-hdl itself writes for a module: one module per instance, the top called `name`.
-pub fn reference_verilog(module: &impl Block, name: &str) -> String {
+pub fn reference_verilog(module: &dyn Block, name: &str) -> String {
     let mut defines = ModuleDefines::default();
     module.accept(name, &mut defines);
     defines.defines()

@@ -7,8 +7,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use super::expression::constant;
 use super::identifier::{CLOCK, Namespace, PortNames, plain, port_names};
-use crate::netlist::{BinaryOp, Design, Module, NodeId, Op, Register, UnaryOp, mask};
+use crate::netlist::{Design, Module, NodeId, Op, mask};
 
 /// Longest expression written in place, in characters.
 const INLINE_LIMIT: usize = 60;
@@ -28,29 +29,21 @@ pub fn range(width: u32) -> String {
     if width == 1 { String::new() } else { format!("[{}:0] ", width - 1) }
 }
 
-/// A sized constant.
-#[must_use]
-pub fn constant(value: u128, width: u32) -> String {
-    match (width, value) {
-        (1, _) => format!("1'b{value}"),
-        (_, 0..10) => format!("{width}'d{value}"),
-        _ => format!("{width}'h{value:x}"),
-    }
-}
-
-struct Emitter<'d> {
+pub(super) struct Emitter<'d> {
     design: &'d Design,
-    module: &'d Module,
+    pub(super) module: &'d Module,
     namespace: Namespace,
     ports: PortNames,
     /// Identifiers of nodes that have one.
-    names: BTreeMap<NodeId, String>,
+    pub(super) names: BTreeMap<NodeId, String>,
     /// Readers of each node: other nodes, registers, instances, outputs.
     uses: Vec<u32>,
     /// Whether bits of the node are selected, which Verilog allows for names only.
     is_selected: Vec<bool>,
+    /// Whether the node is the whole of an output or a register's next value.
+    is_assigned: Vec<bool>,
     /// Bits of each identifier that something reads, and its width.
-    read: BTreeMap<String, (u128, u32)>,
+    pub(super) read: BTreeMap<String, (u128, u32)>,
     register_names: Vec<String>,
     instance_names: Vec<String>,
     body: String,
@@ -69,6 +62,9 @@ impl<'d> Emitter<'d> {
                 is_selected[of.index()] = true;
             }
         }
+        let mut is_assigned = vec![false; uses.len()];
+        module.outputs.iter().for_each(|(_, node)| is_assigned[node.index()] = true);
+        module.registers.iter().for_each(|register| is_assigned[register.data.index()] = true);
         Self {
             design,
             module,
@@ -77,6 +73,7 @@ impl<'d> Emitter<'d> {
             names: BTreeMap::new(),
             uses,
             is_selected,
+            is_assigned,
             read: BTreeMap::new(),
             register_names: Vec::new(),
             instance_names: Vec::new(),
@@ -124,9 +121,25 @@ impl<'d> Emitter<'d> {
         (self.instance_names[instance as usize].clone(), ports.outputs[output as usize].clone())
     }
 
+    /// Names for nodes that the source does not name, after what reads them.
+    fn hints(&self) -> BTreeMap<NodeId, String> {
+        let mut hints = BTreeMap::new();
+        for (register, name) in self.module.registers.iter().zip(&self.register_names) {
+            hints.insert(register.data, format!("{name}_next"));
+        }
+        for (instance, name) in self.module.instances.iter().zip(&self.instance_names) {
+            let child = port_names(self.design.module(instance.module), &mut Namespace::default());
+            for (&node, port) in instance.inputs.iter().zip(child.inputs) {
+                hints.entry(node).or_insert_with(|| format!("{name}_{port}"));
+            }
+        }
+        hints
+    }
+
     /// Writes a wire for each node that needs one, operands first.
     fn logic(&mut self) {
         let module = self.module;
+        let hints = self.hints();
         for (id, node) in module.graph.iter() {
             if node.op.is_source() {
                 continue;
@@ -135,7 +148,10 @@ impl<'d> Emitter<'d> {
                 if !self.needs_wire(id) {
                     continue;
                 }
-                let name = self.namespace.claim(&format!("n{}", id.index()));
+                let name = match hints.get(&id) {
+                    Some(hint) => self.namespace.claim(hint),
+                    None => self.namespace.claim(&format!("n{}", id.index())),
+                };
                 self.read.insert(name.clone(), (0, node.width));
                 self.names.insert(id, name);
             }
@@ -151,7 +167,7 @@ impl<'d> Emitter<'d> {
         let is_wiring = matches!(self.module.graph.op(id), Op::Slice { .. });
         (self.uses[id.index()] > 1 && !is_wiring)
             || self.is_selected[id.index()]
-            || self.length(id) > INLINE_LIMIT
+            || (self.length(id) > INLINE_LIMIT && !self.is_assigned[id.index()])
     }
 
     /// About how long a node is when written in place.
@@ -160,118 +176,6 @@ impl<'d> Emitter<'d> {
             return name.len();
         }
         self.module.graph.op(id).operands().map(|operand| self.length(operand) + 3).sum::<usize>() + 3
-    }
-
-    /// A node where it is used.
-    fn operand(&mut self, id: NodeId) -> String {
-        match self.names.get(&id) {
-            Some(name) => {
-                let name = name.clone();
-                let width = self.module.graph.width(id);
-                self.mark(&name, mask(width));
-                name
-            }
-            None => self.expression(id, false),
-        }
-    }
-
-    /// A node as the whole right side of an assignment or the whole of a connection.
-    fn standalone(&mut self, id: NodeId) -> String {
-        if self.names.contains_key(&id) { self.operand(id) } else { self.expression(id, true) }
-    }
-
-    fn mark(&mut self, name: &str, bits: u128) {
-        if let Some((read, _)) = self.read.get_mut(name) {
-            *read |= bits;
-        }
-    }
-
-    /// The expression of a node from its operands; in parentheses unless it stands alone or needs none.
-    fn expression(&mut self, id: NodeId, alone: bool) -> String {
-        let graph = &self.module.graph;
-        let node = graph.node(id);
-        let text = match node.op {
-            Op::Constant(value) => return constant(value, node.width),
-            Op::Input(_) | Op::Register(_) | Op::Instance { .. } => return self.operand(id),
-            Op::Unary(op, a) => {
-                let symbol = match op {
-                    UnaryOp::Not => "~",
-                    UnaryOp::Negate => "-",
-                    UnaryOp::ReduceAnd => "&",
-                    UnaryOp::ReduceOr => "|",
-                    UnaryOp::ReduceXor => "^",
-                };
-                let text = format!("{symbol}{}", self.operand(a));
-                if op == UnaryOp::Not {
-                    return text;
-                }
-                text
-            }
-            Op::Binary(BinaryOp::Mul, a, b) => {
-                let pad = node.width - graph.width(a);
-                let mut padded = |operand| match pad {
-                    0 => self.operand(operand),
-                    _ => format!("{{{}, {}}}", constant(0, pad), self.operand(operand)),
-                };
-                format!("{} * {}", padded(a), padded(b))
-            }
-            Op::Binary(op @ (BinaryOp::SignedLt | BinaryOp::SignedLe), a, b) => {
-                let symbol = if op == BinaryOp::SignedLt { "<" } else { "<=" };
-                format!("$signed({}) {symbol} $signed({})", self.operand(a), self.operand(b))
-            }
-            Op::Binary(op, a, b) => format!("{} {} {}", self.operand(a), symbol(op), self.operand(b)),
-            Op::Mux { select, when_true, when_false } => format!(
-                "{} ? {} : {}",
-                self.operand(select),
-                self.operand(when_true),
-                self.operand(when_false)
-            ),
-            Op::Slice { of, low } => return self.slice(of, low, node.width),
-            Op::Concat { .. } => {
-                let mut parts = Vec::new();
-                self.concatenation(id, true, &mut parts);
-                return format!("{{{}}}", parts.join(", "));
-            }
-            Op::Extend { of, signed: false } => {
-                let pad = constant(0, node.width - graph.width(of));
-                let mut parts = vec![pad];
-                self.concatenation(of, false, &mut parts);
-                return format!("{{{}}}", parts.join(", "));
-            }
-            Op::Extend { of, signed: true } => {
-                let (width, pad) = (graph.width(of), node.width - graph.width(of));
-                if width == 1 {
-                    return format!("{{{}{{{}}}}}", node.width, self.operand(of));
-                }
-                let sign = self.slice(of, width - 1, 1);
-                return format!("{{{{{pad}{{{sign}}}}}, {}}}", self.operand(of));
-            }
-        };
-        if alone { text } else { format!("({text})") }
-    }
-
-    /// The parts of a concatenation, nested ones without a name taken apart.
-    fn concatenation(&mut self, id: NodeId, is_root: bool, parts: &mut Vec<String>) {
-        match self.module.graph.op(id) {
-            Op::Concat { high, low } if is_root || !self.names.contains_key(&id) => {
-                self.concatenation(high, false, parts);
-                self.concatenation(low, false, parts);
-            }
-            _ => parts.push(self.operand(id)),
-        }
-    }
-
-    fn slice(&mut self, of: NodeId, low: u32, width: u32) -> String {
-        let name = match self.names.get(&of) {
-            Some(name) => name.clone(),
-            None => unreachable!("a node whose bits are selected has a wire"),
-        };
-        if self.module.graph.width(of) == width {
-            self.mark(&name, mask(width));
-            return name;
-        }
-        self.mark(&name, mask(width) << low);
-        if width == 1 { format!("{name}[{low}]") } else { format!("{name}[{}:{low}]", low + width - 1) }
     }
 
     fn finish(mut self) -> String {
@@ -346,11 +250,11 @@ impl<'d> Emitter<'d> {
     fn registers(&mut self) -> String {
         let module = self.module;
         let mut text = String::new();
-        let mut groups: Vec<(Option<NodeId>, Vec<(usize, &Register)>)> = Vec::new();
+        let mut groups: Vec<(Option<NodeId>, Vec<usize>)> = Vec::new();
         for (position, register) in module.registers.iter().enumerate() {
             match groups.iter_mut().find(|(enable, _)| *enable == register.enable) {
-                Some((_, group)) => group.push((position, register)),
-                None => groups.push((register.enable, vec![(position, register)])),
+                Some((_, group)) => group.push(position),
+                None => groups.push((register.enable, vec![position])),
             }
         }
         for (enable, group) in groups {
@@ -361,9 +265,9 @@ impl<'d> Emitter<'d> {
                 let _ = writeln!(text, "        if ({condition}) begin");
                 indent = "            ";
             }
-            for (position, register) in group {
+            for position in group {
                 let name = self.register_names[position].clone();
-                let value = self.standalone(register.data);
+                let value = self.standalone(module.registers[position].data);
                 let _ = writeln!(text, "{indent}{name} <= {value};");
             }
             if enable.is_some() {
@@ -428,22 +332,5 @@ impl<'d> Emitter<'d> {
         }
         let name = self.namespace.claim("unused");
         format!("    wire {name} = &{{1'b0, {}}};\n", parts.join(", "))
-    }
-}
-
-fn symbol(op: BinaryOp) -> &'static str {
-    match op {
-        BinaryOp::And => "&",
-        BinaryOp::Or => "|",
-        BinaryOp::Xor => "^",
-        BinaryOp::Add => "+",
-        BinaryOp::Sub => "-",
-        BinaryOp::Mul => "*",
-        BinaryOp::Eq => "==",
-        BinaryOp::Ne => "!=",
-        BinaryOp::Lt | BinaryOp::SignedLt => "<",
-        BinaryOp::Le | BinaryOp::SignedLe => "<=",
-        BinaryOp::Shl => "<<",
-        BinaryOp::Shr => ">>",
     }
 }

@@ -6,6 +6,7 @@
 
 pub mod cross_check;
 mod emit;
+mod expression;
 mod identifier;
 mod readme;
 mod scripts;
@@ -53,7 +54,7 @@ fn header(module: &Module) -> String {
     text.push('\n');
     for parameter in &module.parameters {
         let role = if parameter.is_tied_input { "tied input" } else { "constant" };
-        let value = emit::constant(parameter.value, parameter.width);
+        let value = expression::constant(parameter.value, parameter.width);
         let _ = writeln!(text, "//   {role} {} = {value}", plain(&parameter.name));
     }
     text

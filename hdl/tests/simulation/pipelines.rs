@@ -1,52 +1,15 @@
 //! Both pipelines in rust-hdl's simulator against golden: back to back, with bubbles and with stalls.
 
-mod support;
-
+use crate::support::harness::{Cycle, Pipeline, TAG_BITS, cycles, drive_ray, handshake, run};
+use crate::support::steps::{BoxCase, Cases, NodeCase, Outcome, RayWords};
+use golden::fp::Format;
+use golden::fp::operands::patterns;
 use hdl::clocking::Clocked;
 use hdl::pipelines::{DualSplitPipeline, RayBoxPipeline};
 use hdl::{dual_split, ray_box};
-use std::collections::VecDeque;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
 use std::fmt::Debug;
-use support::steps::{BoxCase, Cases, NodeCase, Outcome, RayWords};
-
-const LATENCY_CYCLES: usize = 8;
-const TAG_BITS: usize = 5;
-
-/// What the pipelines have in common.
-trait Pipeline: Clocked + Default {
-    type Case: Copy + Debug;
-    type Outcome: PartialEq + Debug;
-    fn draw(cases: &mut Cases) -> Self::Case;
-    fn golden(case: &Self::Case) -> Self::Outcome;
-    fn drive(&mut self, case: &Self::Case);
-    fn handshake(&mut self, enable: bool, valid: bool, tag: u64);
-    /// Tag and outcome, if the output is valid.
-    fn output(&self) -> Option<(u64, Self::Outcome)>;
-}
-
-macro_rules! drive_ray {
-    ($unit:expr, $ray:expr) => {
-        let word = |bits: u32| u64::from(bits).into();
-        let RayWords { origin, inv_entry, inv_exit, t_min, t_max } = $ray;
-        ($unit.origin_x_i.next, $unit.origin_y_i.next, $unit.origin_z_i.next) =
-            (word(origin[0]), word(origin[1]), word(origin[2]));
-        ($unit.inv_entry_x_i.next, $unit.inv_entry_y_i.next, $unit.inv_entry_z_i.next) =
-            (word(inv_entry[0]), word(inv_entry[1]), word(inv_entry[2]));
-        ($unit.inv_exit_x_i.next, $unit.inv_exit_y_i.next, $unit.inv_exit_z_i.next) =
-            (word(inv_exit[0]), word(inv_exit[1]), word(inv_exit[2]));
-        ($unit.t_min_i.next, $unit.t_max_i.next) = (word(t_min), word(t_max));
-    };
-}
-
-macro_rules! handshake {
-    () => {
-        fn handshake(&mut self, enable: bool, valid: bool, tag: u64) {
-            self.en_i.next = enable;
-            self.valid_i.next = valid;
-            self.tag_i.next = tag.into();
-        }
-    };
-}
 
 impl<const C: usize> Pipeline for DualSplitPipeline<8, 24, 32, 10, 26, 28, 48, C, TAG_BITS> {
     type Case = NodeCase;
@@ -104,52 +67,54 @@ impl<const C: usize> Pipeline for RayBoxPipeline<8, 24, 32, 10, 26, 28, 48, C, T
     }
 }
 
-/// One cycle of a pipeline's inputs.
-#[derive(Clone, Copy, Debug)]
-struct Cycle<C> {
-    enable: bool,
-    valid: bool,
-    tag: u64,
-    case: C,
+/// Words that shrink towards zero and towards few set bits.
+fn word() -> impl Strategy<Value = u32> {
+    let special = patterns(Format::BINARY32);
+    prop_oneof![
+        any::<u32>(),
+        proptest::sample::select(special),
+        (-8i32..9).prop_map(|x| (x as f32).to_bits())
+    ]
 }
 
-/// Runs the cycles and compares the output after each of them; returns the outcomes that were seen.
-fn run<P: Pipeline>(cycles: impl IntoIterator<Item = Cycle<P::Case>>) -> Vec<P::Outcome> {
-    let mut pipeline = P::default();
-    let mut in_flight: VecDeque<Option<(u64, P::Case)>> = std::iter::repeat_n(None, LATENCY_CYCLES).collect();
-    let mut seen = Vec::new();
-    for Cycle { enable, valid, tag, case } in cycles {
-        pipeline.handshake(enable, valid, tag);
-        pipeline.drive(&case);
-        pipeline.tick();
-        if enable {
-            in_flight.pop_front();
-            in_flight.push_back(valid.then_some((tag, case)));
-        }
-        let expected = in_flight[0].map(|(tag, case)| (tag, P::golden(&case)));
-        assert_eq!(pipeline.output(), expected, "{:x?}", in_flight[0]);
-        if let (true, Some((_, outcome))) = (enable, expected) {
-            seen.push(outcome);
-        }
-    }
-    seen
-}
-
-/// A seed's cycles: without a gap, or with a bubble or a stall in every fourth cycle each.
-fn cycles<P: Pipeline>(seed: u64, gaps: bool) -> impl Iterator<Item = Cycle<P::Case>> {
-    let mut cases = Cases::new(seed);
-    std::iter::repeat_with(move || {
-        let bits = cases.bits();
-        Cycle {
-            enable: !gaps || bits & 3 != 0,
-            valid: !gaps || bits & 12 != 0,
-            tag: bits >> 8 & ((1 << TAG_BITS) - 1),
-            case: P::draw(&mut cases),
-        }
+fn ray() -> impl Strategy<Value = RayWords> {
+    let axes = || [word(), word(), word()];
+    (axes(), axes(), axes(), word(), word()).prop_map(|(origin, inv_entry, inv_exit, t_min, t_max)| {
+        RayWords { origin, inv_entry, inv_exit, t_min, t_max }
     })
 }
 
-type DualSplit = dual_split!(8, 24, 2, TAG_BITS);
+fn gaps<C: Debug>(case: impl Strategy<Value = C>) -> impl Strategy<Value = Vec<Cycle<C>>> {
+    let cycle = (any::<bool>(), any::<bool>(), 0..1u64 << TAG_BITS, case)
+        .prop_map(|(enable, valid, tag, case)| Cycle { enable, valid, tag, case });
+    proptest::collection::vec(cycle, 1..40)
+}
+
+fn config() -> Config {
+    Config { cases: 60, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Config::default() }
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn dual_split_equals_golden_on_shrinkable_cycles(
+        cycles in gaps((any::<[u32; 1]>(), word(), word(), ray()).prop_map(|([header], plane_0, plane_1, ray)| {
+            NodeCase { words: [header, plane_0, plane_1], ray }
+        }))
+    ) {
+        run::<DualSplit>(cycles);
+    }
+
+    #[test]
+    fn ray_box_equals_golden_on_shrinkable_cycles(
+        cycles in gaps((proptest::array::uniform6(word()), ray()).prop_map(|(planes, ray)| BoxCase { planes, ray }))
+    ) {
+        run::<RayBox>(cycles);
+    }
+}
+
+pub type DualSplit = dual_split!(8, 24, 2, TAG_BITS);
 type DualSplitLean = dual_split!(8, 24, 0, TAG_BITS);
 type RayBox = ray_box!(8, 24, 2, TAG_BITS);
 type RayBoxLean = ray_box!(8, 24, 1, TAG_BITS);

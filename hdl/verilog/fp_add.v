@@ -1,0 +1,291 @@
+// fp_add: written by dualsplit 0.1.0 from the rust-hdl source; do not edit.
+// Verilog-2005. One clock, rising edge, no reset: registers start at their initial value.
+`default_nettype none
+// One file holds the whole hierarchy of its top:
+// verilator lint_off DECLFILENAME
+
+// fp_unpack e8m23
+//   constant flush = 1'b0
+//   constant sign_index = 8'h1f
+//   constant fraction_bits = 8'h17
+//   constant fraction_mask = 24'h7fffff
+//   constant hidden_bit = 24'h800000
+//   constant special_exponent = 8'hff
+module fp_unpack (
+    input  wire [31:0] word_i,
+    output wire        sign_o,
+    output wire [7:0]  exponent_o,
+    output wire [23:0] significand_o,
+    output wire        nan_o,
+    output wire        infinity_o
+);
+
+    // Logic
+    wire [7:0] exponent = word_i[30:23];
+    wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
+    wire special = exponent == 8'hff;
+    wire n10 = |exponent;
+    wire n14 = |fraction;
+
+    // Outputs
+    assign sign_o = word_i[31];
+    assign exponent_o = n10 ? exponent : 8'd1;
+    assign significand_o = n10 ? (fraction | 24'h800000) : fraction;
+    assign nan_o = special & n14;
+    assign infinity_o = special & ~n14;
+endmodule
+
+// sticky_shift w28_a8
+//   constant distance_0 = 8'd1
+//   constant distance_1 = 8'd2
+//   constant distance_2 = 8'd4
+//   constant distance_3 = 8'd8
+//   constant distance_4 = 8'h10
+//   constant distance_5 = 8'h1c
+//   constant distance_6 = 8'h1c
+//   constant distance_7 = 8'h1c
+//   constant lost_mask_0 = 28'd1
+//   constant lost_mask_1 = 28'd3
+//   constant lost_mask_2 = 28'hf
+//   constant lost_mask_3 = 28'hff
+//   constant lost_mask_4 = 28'hffff
+//   constant lost_mask_5 = 28'hfffffff
+//   constant lost_mask_6 = 28'hfffffff
+//   constant lost_mask_7 = 28'hfffffff
+module sticky_shift (
+    input  wire [27:0] value_i,
+    input  wire [7:0]  amount_i,
+    output wire [27:0] result_o
+);
+
+    // Logic
+    wire [27:0] lost_1 = value_i & 28'd1;
+    wire [27:0] value_2 = amount_i[0] ? {1'b0, value_i[27:1]} : value_i;
+    wire sticky_2 = amount_i[0] & (|lost_1);
+    wire [27:0] lost_2 = value_2 & 28'd3;
+    wire [27:0] value_3 = amount_i[1] ? {2'd0, value_2[27:2]} : value_2;
+    wire sticky_3 = amount_i[1] ? (sticky_2 | (|lost_2)) : sticky_2;
+    wire [27:0] lost_3 = value_3 & 28'hf;
+    wire [27:0] value_4 = amount_i[2] ? {4'd0, value_3[27:4]} : value_3;
+    wire sticky_4 = amount_i[2] ? (sticky_3 | (|lost_3)) : sticky_3;
+    wire [27:0] lost_4 = value_4 & 28'hff;
+    wire [27:0] value_5 = amount_i[3] ? {8'd0, value_4[27:8]} : value_4;
+    wire sticky_5 = amount_i[3] ? (sticky_4 | (|lost_4)) : sticky_4;
+    wire [27:0] lost_5 = value_5 & 28'hffff;
+    wire [27:0] value_6 = amount_i[4] ? {16'd0, value_5[27:16]} : value_5;
+    wire sticky_6 = amount_i[4] ? (sticky_5 | (|lost_5)) : sticky_5;
+    wire [27:0] value_7 = amount_i[5] ? 28'd0 : value_6;
+    wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
+    wire [27:0] lost = amount_i[6] ? 28'd0 : value_7;
+    wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
+    wire [27:0] value = amount_i[7] ? 28'd0 : lost;
+    wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+
+    // Outputs
+    assign result_o = sticky ? (value | 28'd1) : value;
+endmodule
+
+// rounder e8m23
+//   constant flush = 1'b0
+//   constant leading_index = 8'h19
+//   constant fraction_mask = 26'h7fffff
+//   constant fraction_bits = 8'h17
+//   constant special_exponent = 10'hff
+//   constant min_normal = 32'h800000
+//   constant max_finite = 32'h7f7fffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   constant sign_bit = 32'h80000000
+module rounder (
+    input  wire        sign_i,
+    input  wire [9:0]  exponent_i,
+    input  wire [25:0] significand_i,
+    input  wire        nan_i,
+    input  wire        infinity_i,
+    input  wire [2:0]  rounding_i,
+    output wire [31:0] result_o
+);
+
+    // Logic
+    wire leading = significand_i[25];
+    wire inexact = significand_i[1] | significand_i[0];
+    wire away = ((rounding_i == 3'd2) & sign_i) | ((rounding_i == 3'd3) & ~sign_i);
+    wire n16 = rounding_i == 3'd0;
+    wire n18 = rounding_i == 3'd4;
+    wire to_infinity = (n16 | n18) | away;
+    wire increment_1 = away & inexact;
+    wire [25:0] fraction_1 = {2'd0, significand_i[25:2]};
+    wire n26 = significand_i[1] & (significand_i[0] | significand_i[2]);
+    wire increment_2 = n16 ? n26 : increment_1;
+    wire increment = n18 ? significand_i[1] : increment_2;
+    wire [25:0] fraction = fraction_1 & 26'h7fffff;
+    wire [31:0] field_2 = leading ? {22'd0, exponent_i} : 32'd0;
+    wire [31:0] field = {field_2[8:0], 23'd0};
+    wire [31:0] encoded = field | {6'd0, fraction};
+    wire [31:0] magnitude_2 = increment ? (encoded + 32'd1) : encoded;
+    wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
+    wire [31:0] magnitude_3 = overflow ? (to_infinity ? 32'h7f800000 : 32'h7f7fffff) : magnitude_2;
+    wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
+
+    // Outputs
+    assign result_o = nan_i ? 32'h7fc00000 : (sign_i ? (magnitude | 32'h80000000) : magnitude);
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, field_2[31:9]};
+endmodule
+
+// fp_add e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant distance_0 = 8'h80
+//   constant distance_1 = 8'h40
+//   constant distance_2 = 8'h20
+//   constant distance_3 = 8'h10
+//   constant distance_4 = 8'd8
+//   constant distance_5 = 8'd4
+//   constant distance_6 = 8'd2
+//   constant distance_7 = 8'd1
+//   constant limit_0 = 28'd0
+//   constant limit_1 = 28'd0
+//   constant limit_2 = 28'd0
+//   constant limit_3 = 28'h1000
+//   constant limit_4 = 28'h100000
+//   constant limit_5 = 28'h1000000
+//   constant limit_6 = 28'h4000000
+//   constant limit_7 = 28'h8000000
+//   constant subnormals = 1'b0
+module fp_add (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire        tag_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    input  wire        subtract_i,
+    input  wire [2:0]  rounding_i,
+    output wire        valid_o,
+    output wire        tag_o,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg valid_1 = 1'b0;
+    reg tag_1 = 1'b0;
+    reg [2:0] rounding = 3'd0;
+    reg nan = 1'b0;
+    reg infinity = 1'b0;
+    reg sign = 1'b0;
+    reg zero_sign = 1'b0;
+    reg [7:0] exponent = 8'd0;
+    reg [27:0] sum = 28'd0;
+    reg valid_2 = 1'b0;
+    reg tag_2 = 1'b0;
+    reg [31:0] result = 32'd0;
+
+    // Outputs of instances
+    wire b_sign_o;
+    wire a_sign_o;
+    wire [7:0] a_exponent_o;
+    wire [7:0] b_exponent_o;
+    wire [23:0] a_significand_o;
+    wire [23:0] b_significand_o;
+    wire [27:0] align_result_o;
+    wire a_nan_o;
+    wire b_nan_o;
+    wire a_infinity_o;
+    wire b_infinity_o;
+    wire [31:0] rounder_result_o;
+
+    // Logic
+    wire sign_b = b_sign_o ^ subtract_i;
+    wire differ = a_sign_o ^ sign_b;
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire swap = magnitude_a < magnitude_b;
+    wire high_sign = swap ? sign_b : a_sign_o;
+    wire [7:0] high_exponent = swap ? b_exponent_o : a_exponent_o;
+    wire [7:0] low_exponent = swap ? a_exponent_o : b_exponent_o;
+    wire [23:0] high_significand = swap ? b_significand_o : a_significand_o;
+    wire [23:0] low_significand = swap ? a_significand_o : b_significand_o;
+    wire [27:0] high = {1'b0, high_significand, 3'd0};
+    wire [27:0] total_1 = high + align_result_o;
+    wire [27:0] total = differ ? (high - align_result_o) : total_1;
+    wire n66 = (sum < 28'h1000) & (exponent >= 8'h10);
+    wire [7:0] budget_2 = n66 ? (exponent - 8'h10) : exponent;
+    wire [27:0] normal_2 = n66 ? {sum[11:0], 16'd0} : sum;
+    wire n77 = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
+    wire [7:0] budget_3 = n77 ? (budget_2 - 8'd8) : budget_2;
+    wire [27:0] normal_3 = n77 ? {normal_2[19:0], 8'd0} : normal_2;
+    wire n88 = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
+    wire [7:0] budget_4 = n88 ? (budget_3 - 8'd4) : budget_3;
+    wire [27:0] normal_4 = n88 ? {normal_3[23:0], 4'd0} : normal_3;
+    wire n99 = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
+    wire [7:0] budget_5 = n99 ? (budget_4 - 8'd2) : budget_4;
+    wire [27:0] normal_5 = n99 ? {normal_4[25:0], 2'd0} : normal_4;
+    wire n110 = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
+    wire [7:0] budget = n110 ? (budget_5 - 8'd1) : budget_5;
+    wire [27:0] normal = n110 ? {normal_5[26:0], 1'b0} : normal_5;
+    wire [9:0] raw_exponent = {2'd0, budget};
+    wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
+    wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
+    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            valid_1 <= valid_i;
+            tag_1 <= tag_i;
+            rounding <= rounding_i;
+            nan <= (a_nan_o | b_nan_o) | ((a_infinity_o & b_infinity_o) & differ);
+            infinity <= a_infinity_o | b_infinity_o;
+            sign <= high_sign;
+            zero_sign <= (differ & (rounding_i == 3'd2)) | (~differ & high_sign);
+            exponent <= high_exponent;
+            sum <= total;
+            valid_2 <= valid_1;
+            tag_2 <= tag_1;
+            result <= rounder_result_o;
+        end
+    end
+
+    // Instances
+    fp_unpack a (
+        .word_i        (a_i),
+        .sign_o        (a_sign_o),
+        .exponent_o    (a_exponent_o),
+        .significand_o (a_significand_o),
+        .nan_o         (a_nan_o),
+        .infinity_o    (a_infinity_o)
+    );
+    fp_unpack b (
+        .word_i        (b_i),
+        .sign_o        (b_sign_o),
+        .exponent_o    (b_exponent_o),
+        .significand_o (b_significand_o),
+        .nan_o         (b_nan_o),
+        .infinity_o    (b_infinity_o)
+    );
+    sticky_shift align (
+        .value_i  ({1'b0, low_significand, 3'd0}),
+        .amount_i (high_exponent - low_exponent),
+        .result_o (align_result_o)
+    );
+    rounder rounder (
+        .sign_i        (rounder_sign_i),
+        .exponent_i    (raw_exponent + 10'd1),
+        .significand_i (raw_significand[25:0]),
+        .nan_i         (nan),
+        .infinity_i    (infinity),
+        .rounding_i    (rounding),
+        .result_o      (rounder_result_o)
+    );
+
+    // Outputs
+    assign valid_o = valid_2;
+    assign tag_o = tag_2;
+    assign result_o = result;
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, raw_significand[27:26]};
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,2359 @@
+// ray_box_x8: written by dualsplit 0.1.0 from the rust-hdl source; do not edit.
+// Verilog-2005. One clock, rising edge, no reset: registers start at their initial value.
+`default_nettype none
+// One file holds the whole hierarchy of its top:
+// verilator lint_off DECLFILENAME
+
+// delay w32_n2
+module delay_v1 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] d_i,
+    output wire [31:0] q_o
+);
+
+    // Registers
+    reg [31:0] stage_0 = 32'd0;
+    reg [31:0] stage_1 = 32'd0;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            stage_0 <= d_i;
+            stage_1 <= stage_0;
+        end
+    end
+
+    // Outputs
+    assign q_o = stage_1;
+endmodule
+
+// delay w32_n5
+module delay_v2 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] d_i,
+    output wire [31:0] q_o
+);
+
+    // Registers
+    reg [31:0] stage_0 = 32'd0;
+    reg [31:0] stage_1 = 32'd0;
+    reg [31:0] stage_2 = 32'd0;
+    reg [31:0] stage_3 = 32'd0;
+    reg [31:0] stage_4 = 32'd0;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            stage_0 <= d_i;
+            stage_1 <= stage_0;
+            stage_2 <= stage_1;
+            stage_3 <= stage_2;
+            stage_4 <= stage_3;
+        end
+    end
+
+    // Outputs
+    assign q_o = stage_4;
+endmodule
+
+// ray_box_select w32
+//   constant sign_index = 8'h1f
+module ray_box_select (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] inv_entry_x_i,
+    input  wire [31:0] inv_entry_y_i,
+    input  wire [31:0] inv_entry_z_i,
+    input  wire [31:0] inv_exit_x_i,
+    input  wire [31:0] inv_exit_y_i,
+    input  wire [31:0] inv_exit_z_i,
+    input  wire [31:0] t_min_i,
+    input  wire [31:0] t_max_i,
+    output wire [31:0] inv_o_0_o,
+    output wire [31:0] inv_o_1_o,
+    output wire [31:0] inv_o_2_o,
+    output wire [31:0] inv_o_3_o,
+    output wire [31:0] inv_o_4_o,
+    output wire [31:0] inv_o_5_o,
+    output wire [31:0] t_min_o,
+    output wire [31:0] t_max_o
+);
+
+    // Outputs of instances
+    wire [31:0] inv_wait_0_q_o;
+    wire [31:0] inv_wait_1_q_o;
+    wire [31:0] inv_wait_2_q_o;
+    wire [31:0] inv_wait_3_q_o;
+    wire [31:0] inv_wait_4_q_o;
+    wire [31:0] inv_wait_5_q_o;
+    wire [31:0] t_min_wait_q_o;
+    wire [31:0] t_max_wait_q_o;
+
+    // Instances
+    delay_v1 inv_wait_0 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (inv_entry_x_i[31] ? inv_exit_x_i : inv_entry_x_i),
+        .q_o   (inv_wait_0_q_o)
+    );
+    delay_v1 inv_wait_1 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (inv_entry_y_i[31] ? inv_exit_y_i : inv_entry_y_i),
+        .q_o   (inv_wait_1_q_o)
+    );
+    delay_v1 inv_wait_2 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (inv_entry_z_i[31] ? inv_exit_z_i : inv_entry_z_i),
+        .q_o   (inv_wait_2_q_o)
+    );
+    delay_v1 inv_wait_3 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (inv_entry_x_i[31] ? inv_entry_x_i : inv_exit_x_i),
+        .q_o   (inv_wait_3_q_o)
+    );
+    delay_v1 inv_wait_4 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (inv_entry_y_i[31] ? inv_entry_y_i : inv_exit_y_i),
+        .q_o   (inv_wait_4_q_o)
+    );
+    delay_v1 inv_wait_5 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (inv_entry_z_i[31] ? inv_entry_z_i : inv_exit_z_i),
+        .q_o   (inv_wait_5_q_o)
+    );
+    delay_v2 t_min_wait (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (t_min_i),
+        .q_o   (t_min_wait_q_o)
+    );
+    delay_v2 t_max_wait (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (t_max_i),
+        .q_o   (t_max_wait_q_o)
+    );
+
+    // Outputs
+    assign inv_o_0_o = inv_wait_0_q_o;
+    assign inv_o_1_o = inv_wait_1_q_o;
+    assign inv_o_2_o = inv_wait_2_q_o;
+    assign inv_o_3_o = inv_wait_3_q_o;
+    assign inv_o_4_o = inv_wait_4_q_o;
+    assign inv_o_5_o = inv_wait_5_q_o;
+    assign t_min_o = t_min_wait_q_o;
+    assign t_max_o = t_max_wait_q_o;
+endmodule
+
+// fp_unpack e8m23
+//   constant flush = 1'b0
+//   constant sign_index = 8'h1f
+//   constant fraction_bits = 8'h17
+//   constant fraction_mask = 24'h7fffff
+//   constant hidden_bit = 24'h800000
+//   constant special_exponent = 8'hff
+module fp_unpack (
+    input  wire [31:0] word_i,
+    output wire        sign_o,
+    output wire [7:0]  exponent_o,
+    output wire [23:0] significand_o,
+    output wire        nan_o,
+    output wire        infinity_o
+);
+
+    // Logic
+    wire [7:0] exponent = word_i[30:23];
+    wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
+    wire special = exponent == 8'hff;
+    wire n10 = |exponent;
+    wire n14 = |fraction;
+
+    // Outputs
+    assign sign_o = word_i[31];
+    assign exponent_o = n10 ? exponent : 8'd1;
+    assign significand_o = n10 ? (fraction | 24'h800000) : fraction;
+    assign nan_o = special & n14;
+    assign infinity_o = special & ~n14;
+endmodule
+
+// sticky_shift w28_a8
+//   constant distance_0 = 8'd1
+//   constant distance_1 = 8'd2
+//   constant distance_2 = 8'd4
+//   constant distance_3 = 8'd8
+//   constant distance_4 = 8'h10
+//   constant distance_5 = 8'h1c
+//   constant distance_6 = 8'h1c
+//   constant distance_7 = 8'h1c
+//   constant lost_mask_0 = 28'd1
+//   constant lost_mask_1 = 28'd3
+//   constant lost_mask_2 = 28'hf
+//   constant lost_mask_3 = 28'hff
+//   constant lost_mask_4 = 28'hffff
+//   constant lost_mask_5 = 28'hfffffff
+//   constant lost_mask_6 = 28'hfffffff
+//   constant lost_mask_7 = 28'hfffffff
+module sticky_shift_v1 (
+    input  wire [27:0] value_i,
+    input  wire [7:0]  amount_i,
+    output wire [27:0] result_o
+);
+
+    // Logic
+    wire [27:0] lost_1 = value_i & 28'd1;
+    wire [27:0] value_2 = amount_i[0] ? {1'b0, value_i[27:1]} : value_i;
+    wire sticky_2 = amount_i[0] & (|lost_1);
+    wire [27:0] lost_2 = value_2 & 28'd3;
+    wire [27:0] value_3 = amount_i[1] ? {2'd0, value_2[27:2]} : value_2;
+    wire sticky_3 = amount_i[1] ? (sticky_2 | (|lost_2)) : sticky_2;
+    wire [27:0] lost_3 = value_3 & 28'hf;
+    wire [27:0] value_4 = amount_i[2] ? {4'd0, value_3[27:4]} : value_3;
+    wire sticky_4 = amount_i[2] ? (sticky_3 | (|lost_3)) : sticky_3;
+    wire [27:0] lost_4 = value_4 & 28'hff;
+    wire [27:0] value_5 = amount_i[3] ? {8'd0, value_4[27:8]} : value_4;
+    wire sticky_5 = amount_i[3] ? (sticky_4 | (|lost_4)) : sticky_4;
+    wire [27:0] lost_5 = value_5 & 28'hffff;
+    wire [27:0] value_6 = amount_i[4] ? {16'd0, value_5[27:16]} : value_5;
+    wire sticky_6 = amount_i[4] ? (sticky_5 | (|lost_5)) : sticky_5;
+    wire [27:0] value_7 = amount_i[5] ? 28'd0 : value_6;
+    wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
+    wire [27:0] lost = amount_i[6] ? 28'd0 : value_7;
+    wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
+    wire [27:0] value = amount_i[7] ? 28'd0 : lost;
+    wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+
+    // Outputs
+    assign result_o = sticky ? (value | 28'd1) : value;
+endmodule
+
+// rounder e8m23
+//   constant flush = 1'b0
+//   constant leading_index = 8'h19
+//   constant fraction_mask = 26'h7fffff
+//   constant fraction_bits = 8'h17
+//   constant special_exponent = 10'hff
+//   constant min_normal = 32'h800000
+//   constant max_finite = 32'h7f7fffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   constant sign_bit = 32'h80000000
+//   tied input rounding_i = 3'd0
+module rounder (
+    input  wire        sign_i,
+    input  wire [9:0]  exponent_i,
+    input  wire [25:0] significand_i,
+    input  wire        nan_i,
+    input  wire        infinity_i,
+    output wire [31:0] result_o
+);
+
+    // Logic
+    wire leading = significand_i[25];
+    wire [25:0] fraction_1 = {2'd0, significand_i[25:2]};
+    wire increment = significand_i[1] & (significand_i[0] | significand_i[2]);
+    wire [25:0] fraction = fraction_1 & 26'h7fffff;
+    wire [31:0] field_2 = leading ? {22'd0, exponent_i} : 32'd0;
+    wire [31:0] field = {field_2[8:0], 23'd0};
+    wire [31:0] encoded = field | {6'd0, fraction};
+    wire [31:0] magnitude_2 = increment ? (encoded + 32'd1) : encoded;
+    wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
+    wire [31:0] magnitude_3 = overflow ? 32'h7f800000 : magnitude_2;
+    wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
+
+    // Outputs
+    assign result_o = nan_i ? 32'h7fc00000 : (sign_i ? (magnitude | 32'h80000000) : magnitude);
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, field_2[31:9]};
+endmodule
+
+// fp_add e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant distance_0 = 8'h80
+//   constant distance_1 = 8'h40
+//   constant distance_2 = 8'h20
+//   constant distance_3 = 8'h10
+//   constant distance_4 = 8'd8
+//   constant distance_5 = 8'd4
+//   constant distance_6 = 8'd2
+//   constant distance_7 = 8'd1
+//   constant limit_0 = 28'd0
+//   constant limit_1 = 28'd0
+//   constant limit_2 = 28'd0
+//   constant limit_3 = 28'h1000
+//   constant limit_4 = 28'h100000
+//   constant limit_5 = 28'h1000000
+//   constant limit_6 = 28'h4000000
+//   constant limit_7 = 28'h8000000
+//   constant subnormals = 1'b0
+//   tied input tag_i = 1'b0
+//   tied input subtract_i = 1'b1
+//   tied input rounding_i = 3'd0
+module fp_add_v1 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire        valid_o,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg valid_1 = 1'b0;
+    reg nan = 1'b0;
+    reg infinity = 1'b0;
+    reg sign = 1'b0;
+    reg zero_sign = 1'b0;
+    reg [7:0] exponent = 8'd0;
+    reg [27:0] sum = 28'd0;
+    reg valid_2 = 1'b0;
+    reg [31:0] result = 32'd0;
+
+    // Outputs of instances
+    wire b_sign_o;
+    wire a_sign_o;
+    wire [7:0] a_exponent_o;
+    wire [7:0] b_exponent_o;
+    wire [23:0] a_significand_o;
+    wire [23:0] b_significand_o;
+    wire [27:0] align_result_o;
+    wire a_nan_o;
+    wire b_nan_o;
+    wire a_infinity_o;
+    wire b_infinity_o;
+    wire [31:0] rounder_result_o;
+
+    // Logic
+    wire sign_b = ~b_sign_o;
+    wire differ = a_sign_o ^ sign_b;
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire swap = magnitude_a < magnitude_b;
+    wire high_sign = swap ? sign_b : a_sign_o;
+    wire [7:0] high_exponent = swap ? b_exponent_o : a_exponent_o;
+    wire [7:0] low_exponent = swap ? a_exponent_o : b_exponent_o;
+    wire [23:0] high_significand = swap ? b_significand_o : a_significand_o;
+    wire [23:0] low_significand = swap ? a_significand_o : b_significand_o;
+    wire [27:0] high = {1'b0, high_significand, 3'd0};
+    wire [27:0] total_1 = high + align_result_o;
+    wire [27:0] total = differ ? (high - align_result_o) : total_1;
+    wire n56 = (sum < 28'h1000) & (exponent >= 8'h10);
+    wire [7:0] budget_2 = n56 ? (exponent - 8'h10) : exponent;
+    wire [27:0] normal_2 = n56 ? {sum[11:0], 16'd0} : sum;
+    wire n67 = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
+    wire [7:0] budget_3 = n67 ? (budget_2 - 8'd8) : budget_2;
+    wire [27:0] normal_3 = n67 ? {normal_2[19:0], 8'd0} : normal_2;
+    wire n78 = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
+    wire [7:0] budget_4 = n78 ? (budget_3 - 8'd4) : budget_3;
+    wire [27:0] normal_4 = n78 ? {normal_3[23:0], 4'd0} : normal_3;
+    wire n89 = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
+    wire [7:0] budget_5 = n89 ? (budget_4 - 8'd2) : budget_4;
+    wire [27:0] normal_5 = n89 ? {normal_4[25:0], 2'd0} : normal_4;
+    wire n100 = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
+    wire [7:0] budget = n100 ? (budget_5 - 8'd1) : budget_5;
+    wire [27:0] normal = n100 ? {normal_5[26:0], 1'b0} : normal_5;
+    wire [9:0] raw_exponent = {2'd0, budget};
+    wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
+    wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
+    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            valid_1 <= valid_i;
+            nan <= (a_nan_o | b_nan_o) | ((a_infinity_o & b_infinity_o) & differ);
+            infinity <= a_infinity_o | b_infinity_o;
+            sign <= high_sign;
+            zero_sign <= ~differ & high_sign;
+            exponent <= high_exponent;
+            sum <= total;
+            valid_2 <= valid_1;
+            result <= rounder_result_o;
+        end
+    end
+
+    // Instances
+    fp_unpack a (
+        .word_i        (a_i),
+        .sign_o        (a_sign_o),
+        .exponent_o    (a_exponent_o),
+        .significand_o (a_significand_o),
+        .nan_o         (a_nan_o),
+        .infinity_o    (a_infinity_o)
+    );
+    fp_unpack b (
+        .word_i        (b_i),
+        .sign_o        (b_sign_o),
+        .exponent_o    (b_exponent_o),
+        .significand_o (b_significand_o),
+        .nan_o         (b_nan_o),
+        .infinity_o    (b_infinity_o)
+    );
+    sticky_shift_v1 align (
+        .value_i  ({1'b0, low_significand, 3'd0}),
+        .amount_i (high_exponent - low_exponent),
+        .result_o (align_result_o)
+    );
+    rounder rounder (
+        .sign_i        (rounder_sign_i),
+        .exponent_i    (raw_exponent + 10'd1),
+        .significand_i (raw_significand[25:0]),
+        .nan_i         (nan),
+        .infinity_i    (infinity),
+        .result_o      (rounder_result_o)
+    );
+
+    // Outputs
+    assign valid_o = valid_2;
+    assign result_o = result;
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, raw_significand[27:26]};
+endmodule
+
+// fp_add e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant distance_0 = 8'h80
+//   constant distance_1 = 8'h40
+//   constant distance_2 = 8'h20
+//   constant distance_3 = 8'h10
+//   constant distance_4 = 8'd8
+//   constant distance_5 = 8'd4
+//   constant distance_6 = 8'd2
+//   constant distance_7 = 8'd1
+//   constant limit_0 = 28'd0
+//   constant limit_1 = 28'd0
+//   constant limit_2 = 28'd0
+//   constant limit_3 = 28'h1000
+//   constant limit_4 = 28'h100000
+//   constant limit_5 = 28'h1000000
+//   constant limit_6 = 28'h4000000
+//   constant limit_7 = 28'h8000000
+//   constant subnormals = 1'b0
+//   tied input tag_i = 1'b0
+//   tied input subtract_i = 1'b1
+//   tied input rounding_i = 3'd0
+module fp_add_v2 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg nan = 1'b0;
+    reg infinity = 1'b0;
+    reg sign = 1'b0;
+    reg zero_sign = 1'b0;
+    reg [7:0] exponent = 8'd0;
+    reg [27:0] sum = 28'd0;
+    reg [31:0] result = 32'd0;
+
+    // Outputs of instances
+    wire b_sign_o;
+    wire a_sign_o;
+    wire [7:0] a_exponent_o;
+    wire [7:0] b_exponent_o;
+    wire [23:0] a_significand_o;
+    wire [23:0] b_significand_o;
+    wire [27:0] align_result_o;
+    wire a_nan_o;
+    wire b_nan_o;
+    wire a_infinity_o;
+    wire b_infinity_o;
+    wire [31:0] rounder_result_o;
+
+    // Logic
+    wire sign_b = ~b_sign_o;
+    wire differ = a_sign_o ^ sign_b;
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire swap = magnitude_a < magnitude_b;
+    wire high_sign = swap ? sign_b : a_sign_o;
+    wire [7:0] high_exponent = swap ? b_exponent_o : a_exponent_o;
+    wire [7:0] low_exponent = swap ? a_exponent_o : b_exponent_o;
+    wire [23:0] high_significand = swap ? b_significand_o : a_significand_o;
+    wire [23:0] low_significand = swap ? a_significand_o : b_significand_o;
+    wire [27:0] high = {1'b0, high_significand, 3'd0};
+    wire [27:0] total_1 = high + align_result_o;
+    wire [27:0] total = differ ? (high - align_result_o) : total_1;
+    wire n53 = (sum < 28'h1000) & (exponent >= 8'h10);
+    wire [7:0] budget_2 = n53 ? (exponent - 8'h10) : exponent;
+    wire [27:0] normal_2 = n53 ? {sum[11:0], 16'd0} : sum;
+    wire n64 = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
+    wire [7:0] budget_3 = n64 ? (budget_2 - 8'd8) : budget_2;
+    wire [27:0] normal_3 = n64 ? {normal_2[19:0], 8'd0} : normal_2;
+    wire n75 = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
+    wire [7:0] budget_4 = n75 ? (budget_3 - 8'd4) : budget_3;
+    wire [27:0] normal_4 = n75 ? {normal_3[23:0], 4'd0} : normal_3;
+    wire n86 = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
+    wire [7:0] budget_5 = n86 ? (budget_4 - 8'd2) : budget_4;
+    wire [27:0] normal_5 = n86 ? {normal_4[25:0], 2'd0} : normal_4;
+    wire n97 = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
+    wire [7:0] budget = n97 ? (budget_5 - 8'd1) : budget_5;
+    wire [27:0] normal = n97 ? {normal_5[26:0], 1'b0} : normal_5;
+    wire [9:0] raw_exponent = {2'd0, budget};
+    wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
+    wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
+    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            nan <= (a_nan_o | b_nan_o) | ((a_infinity_o & b_infinity_o) & differ);
+            infinity <= a_infinity_o | b_infinity_o;
+            sign <= high_sign;
+            zero_sign <= ~differ & high_sign;
+            exponent <= high_exponent;
+            sum <= total;
+            result <= rounder_result_o;
+        end
+    end
+
+    // Instances
+    fp_unpack a (
+        .word_i        (a_i),
+        .sign_o        (a_sign_o),
+        .exponent_o    (a_exponent_o),
+        .significand_o (a_significand_o),
+        .nan_o         (a_nan_o),
+        .infinity_o    (a_infinity_o)
+    );
+    fp_unpack b (
+        .word_i        (b_i),
+        .sign_o        (b_sign_o),
+        .exponent_o    (b_exponent_o),
+        .significand_o (b_significand_o),
+        .nan_o         (b_nan_o),
+        .infinity_o    (b_infinity_o)
+    );
+    sticky_shift_v1 align (
+        .value_i  ({1'b0, low_significand, 3'd0}),
+        .amount_i (high_exponent - low_exponent),
+        .result_o (align_result_o)
+    );
+    rounder rounder (
+        .sign_i        (rounder_sign_i),
+        .exponent_i    (raw_exponent + 10'd1),
+        .significand_i (raw_significand[25:0]),
+        .nan_i         (nan),
+        .infinity_i    (infinity),
+        .result_o      (rounder_result_o)
+    );
+
+    // Outputs
+    assign result_o = result;
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, raw_significand[27:26]};
+endmodule
+
+// significand_product w24
+module significand_product (
+    input  wire [23:0] a_i,
+    input  wire [23:0] b_i,
+    output wire [47:0] product_o
+);
+
+    // Logic
+    wire [15:0] a_0 = a_i[15:0];
+    wire [15:0] b_0 = b_i[15:0];
+    wire [15:0] a_1 = {8'd0, a_i[23:16]};
+    wire [15:0] b_1 = {8'd0, b_i[23:16]};
+    wire [31:0] low = {16'd0, a_0} * {16'd0, b_0};
+    wire [31:0] cross_0 = {16'd0, a_0} * {16'd0, b_1};
+    wire [31:0] cross_1 = {16'd0, a_1} * {16'd0, b_0};
+    wire [31:0] high = {16'd0, a_1} * {16'd0, b_1};
+    wire [31:0] middle = cross_0 + cross_1;
+    wire [47:0] middle_wide = {middle, 16'd0};
+    wire [47:0] high_wide = {high[15:0], 32'd0};
+    wire [47:0] sum = middle_wide + high_wide;
+
+    // Outputs
+    assign product_o = sum + {16'd0, low};
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, high[31:16]};
+endmodule
+
+// leading_zeros w24_x10
+//   constant distance_0 = 10'h10
+//   constant distance_1 = 10'd8
+//   constant distance_2 = 10'd4
+//   constant distance_3 = 10'd2
+//   constant distance_4 = 10'd1
+//   constant limit_0 = 24'h100
+//   constant limit_1 = 24'h10000
+//   constant limit_2 = 24'h100000
+//   constant limit_3 = 24'h400000
+//   constant limit_4 = 24'h800000
+module leading_zeros (
+    input  wire [23:0] value_i,
+    output wire [9:0]  count_o
+);
+
+    // Logic
+    wire n3 = value_i < 24'h100;
+    wire [23:0] value_2 = n3 ? {value_i[7:0], 16'd0} : value_i;
+    wire [9:0] count_2 = n3 ? 10'h10 : 10'd0;
+    wire n11 = value_2 < 24'h10000;
+    wire [23:0] value_3 = n11 ? {value_2[15:0], 8'd0} : value_2;
+    wire [9:0] count_3 = n11 ? (count_2 + 10'd8) : count_2;
+    wire n20 = value_3 < 24'h100000;
+    wire [23:0] value_4 = n20 ? {value_3[19:0], 4'd0} : value_3;
+    wire [9:0] count_4 = n20 ? (count_3 + 10'd4) : count_3;
+    wire n29 = value_4 < 24'h400000;
+    wire [23:0] value_5 = n29 ? {value_4[21:0], 2'd0} : value_4;
+    wire [9:0] count_5 = n29 ? (count_4 + 10'd2) : count_4;
+    wire [9:0] count = (value_5 < 24'h800000) ? (count_5 + 10'd1) : count_5;
+
+    // Outputs
+    assign count_o = count;
+endmodule
+
+// sticky_shift w26_a8
+//   constant distance_0 = 8'd1
+//   constant distance_1 = 8'd2
+//   constant distance_2 = 8'd4
+//   constant distance_3 = 8'd8
+//   constant distance_4 = 8'h10
+//   constant distance_5 = 8'h1a
+//   constant distance_6 = 8'h1a
+//   constant distance_7 = 8'h1a
+//   constant lost_mask_0 = 26'd1
+//   constant lost_mask_1 = 26'd3
+//   constant lost_mask_2 = 26'hf
+//   constant lost_mask_3 = 26'hff
+//   constant lost_mask_4 = 26'hffff
+//   constant lost_mask_5 = 26'h3ffffff
+//   constant lost_mask_6 = 26'h3ffffff
+//   constant lost_mask_7 = 26'h3ffffff
+module sticky_shift_v2 (
+    input  wire [25:0] value_i,
+    input  wire [7:0]  amount_i,
+    output wire [25:0] result_o
+);
+
+    // Logic
+    wire [25:0] lost_1 = value_i & 26'd1;
+    wire [25:0] value_2 = amount_i[0] ? {1'b0, value_i[25:1]} : value_i;
+    wire sticky_2 = amount_i[0] & (|lost_1);
+    wire [25:0] lost_2 = value_2 & 26'd3;
+    wire [25:0] value_3 = amount_i[1] ? {2'd0, value_2[25:2]} : value_2;
+    wire sticky_3 = amount_i[1] ? (sticky_2 | (|lost_2)) : sticky_2;
+    wire [25:0] lost_3 = value_3 & 26'hf;
+    wire [25:0] value_4 = amount_i[2] ? {4'd0, value_3[25:4]} : value_3;
+    wire sticky_4 = amount_i[2] ? (sticky_3 | (|lost_3)) : sticky_3;
+    wire [25:0] lost_4 = value_4 & 26'hff;
+    wire [25:0] value_5 = amount_i[3] ? {8'd0, value_4[25:8]} : value_4;
+    wire sticky_5 = amount_i[3] ? (sticky_4 | (|lost_4)) : sticky_4;
+    wire [25:0] lost_5 = value_5 & 26'hffff;
+    wire [25:0] value_6 = amount_i[4] ? {16'd0, value_5[25:16]} : value_5;
+    wire sticky_6 = amount_i[4] ? (sticky_5 | (|lost_5)) : sticky_5;
+    wire [25:0] value_7 = amount_i[5] ? 26'd0 : value_6;
+    wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
+    wire [25:0] lost = amount_i[6] ? 26'd0 : value_7;
+    wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
+    wire [25:0] value = amount_i[7] ? 26'd0 : lost;
+    wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+
+    // Outputs
+    assign result_o = sticky ? (value | 26'd1) : value;
+endmodule
+
+// fp_mul e8m23_t1
+//   constant flush = 1'b0
+//   constant bias = 10'h7e
+//   constant sign_index = 8'd9
+//   constant top_index = 8'h2f
+//   constant high_offset = 8'h16
+//   constant low_mask = 48'h3fffff
+//   tied input tag_i = 1'b0
+//   tied input rounding_i = 3'd0
+module fp_mul_v1 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire        valid_o,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg valid_1 = 1'b0;
+    reg nan = 1'b0;
+    reg infinity = 1'b0;
+    reg sign = 1'b0;
+    reg [9:0] exponent = 10'd0;
+    reg [9:0] left = 10'd0;
+    reg [7:0] right = 8'd0;
+    reg [47:0] product = 48'd0;
+    reg valid_2 = 1'b0;
+    reg [31:0] result = 32'd0;
+
+    // Outputs of instances
+    wire [23:0] a_significand_o;
+    wire [23:0] b_significand_o;
+    wire a_infinity_o;
+    wire b_infinity_o;
+    wire [9:0] zeros_a_count_o;
+    wire [9:0] zeros_b_count_o;
+    wire [7:0] a_exponent_o;
+    wire [7:0] b_exponent_o;
+    wire a_nan_o;
+    wire b_nan_o;
+    wire a_sign_o;
+    wire b_sign_o;
+    wire [47:0] array_product_o;
+    wire [25:0] denormalise_result_o;
+    wire [31:0] rounder_result_o;
+
+    // Logic
+    wire zero_factor = ~(|a_significand_o) | ~(|b_significand_o);
+    wire infinite_factor = a_infinity_o | b_infinity_o;
+    wire [9:0] zeros = zeros_a_count_o + zeros_b_count_o;
+    wire [9:0] wide_a = {2'd0, a_exponent_o};
+    wire [9:0] wide_b = {2'd0, b_exponent_o};
+    wire [9:0] exponent_sum = wide_a + wide_b;
+    wire [9:0] top_exponent = exponent_sum - 10'h7e;
+    wire tiny = top_exponent[9] | ~(|top_exponent);
+    wire [9:0] room = top_exponent - 10'd1;
+    wire [9:0] shortfall = 10'd1 - top_exponent;
+    wire [9:0] left_amount_2 = (room < zeros) ? room : zeros;
+    wire [9:0] start_exponent_1 = top_exponent - left_amount_2;
+    wire [9:0] left_amount = tiny ? 10'd0 : left_amount_2;
+    wire [7:0] right_amount = tiny ? shortfall[7:0] : 8'd0;
+    wire [9:0] start_exponent = tiny ? 10'd1 : start_exponent_1;
+    wire [47:0] normal_1 = product << left;
+    wire n64 = ~normal_1[47] & (exponent != 10'd1);
+    wire [47:0] normal = n64 ? {normal_1[46:0], 1'b0} : normal_1;
+    wire [9:0] raw_exponent = n64 ? (exponent - 10'd1) : exponent;
+    wire [25:0] raw_significand_1 = normal[47:22];
+    wire [47:0] low = normal & 48'h3fffff;
+    wire [25:0] raw_significand = (|low) ? (raw_significand_1 | 26'd1) : raw_significand_1;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            valid_1 <= valid_i;
+            nan <= (a_nan_o | b_nan_o) | (infinite_factor & zero_factor);
+            infinity <= infinite_factor;
+            sign <= a_sign_o ^ b_sign_o;
+            exponent <= start_exponent;
+            left <= left_amount;
+            right <= right_amount;
+            product <= array_product_o;
+            valid_2 <= valid_1;
+            result <= rounder_result_o;
+        end
+    end
+
+    // Instances
+    fp_unpack a (
+        .word_i        (a_i),
+        .sign_o        (a_sign_o),
+        .exponent_o    (a_exponent_o),
+        .significand_o (a_significand_o),
+        .nan_o         (a_nan_o),
+        .infinity_o    (a_infinity_o)
+    );
+    fp_unpack b (
+        .word_i        (b_i),
+        .sign_o        (b_sign_o),
+        .exponent_o    (b_exponent_o),
+        .significand_o (b_significand_o),
+        .nan_o         (b_nan_o),
+        .infinity_o    (b_infinity_o)
+    );
+    significand_product array (
+        .a_i       (a_significand_o),
+        .b_i       (b_significand_o),
+        .product_o (array_product_o)
+    );
+    leading_zeros zeros_a (
+        .value_i (a_significand_o),
+        .count_o (zeros_a_count_o)
+    );
+    leading_zeros zeros_b (
+        .value_i (b_significand_o),
+        .count_o (zeros_b_count_o)
+    );
+    sticky_shift_v2 denormalise (
+        .value_i  (raw_significand),
+        .amount_i (right),
+        .result_o (denormalise_result_o)
+    );
+    rounder rounder (
+        .sign_i        (sign),
+        .exponent_i    (raw_exponent),
+        .significand_i (denormalise_result_o),
+        .nan_i         (nan),
+        .infinity_i    (infinity),
+        .result_o      (rounder_result_o)
+    );
+
+    // Outputs
+    assign valid_o = valid_2;
+    assign result_o = result;
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, shortfall[9:8]};
+endmodule
+
+// fp_mul e8m23_t1
+//   constant flush = 1'b0
+//   constant bias = 10'h7e
+//   constant sign_index = 8'd9
+//   constant top_index = 8'h2f
+//   constant high_offset = 8'h16
+//   constant low_mask = 48'h3fffff
+//   tied input tag_i = 1'b0
+//   tied input rounding_i = 3'd0
+module fp_mul_v2 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg nan = 1'b0;
+    reg infinity = 1'b0;
+    reg sign = 1'b0;
+    reg [9:0] exponent = 10'd0;
+    reg [9:0] left = 10'd0;
+    reg [7:0] right = 8'd0;
+    reg [47:0] product = 48'd0;
+    reg [31:0] result = 32'd0;
+
+    // Outputs of instances
+    wire [23:0] a_significand_o;
+    wire [23:0] b_significand_o;
+    wire a_infinity_o;
+    wire b_infinity_o;
+    wire [9:0] zeros_a_count_o;
+    wire [9:0] zeros_b_count_o;
+    wire [7:0] a_exponent_o;
+    wire [7:0] b_exponent_o;
+    wire a_nan_o;
+    wire b_nan_o;
+    wire a_sign_o;
+    wire b_sign_o;
+    wire [47:0] array_product_o;
+    wire [25:0] denormalise_result_o;
+    wire [31:0] rounder_result_o;
+
+    // Logic
+    wire zero_factor = ~(|a_significand_o) | ~(|b_significand_o);
+    wire infinite_factor = a_infinity_o | b_infinity_o;
+    wire [9:0] zeros = zeros_a_count_o + zeros_b_count_o;
+    wire [9:0] wide_a = {2'd0, a_exponent_o};
+    wire [9:0] wide_b = {2'd0, b_exponent_o};
+    wire [9:0] exponent_sum = wide_a + wide_b;
+    wire [9:0] top_exponent = exponent_sum - 10'h7e;
+    wire tiny = top_exponent[9] | ~(|top_exponent);
+    wire [9:0] room = top_exponent - 10'd1;
+    wire [9:0] shortfall = 10'd1 - top_exponent;
+    wire [9:0] left_amount_2 = (room < zeros) ? room : zeros;
+    wire [9:0] start_exponent_1 = top_exponent - left_amount_2;
+    wire [9:0] left_amount = tiny ? 10'd0 : left_amount_2;
+    wire [7:0] right_amount = tiny ? shortfall[7:0] : 8'd0;
+    wire [9:0] start_exponent = tiny ? 10'd1 : start_exponent_1;
+    wire [47:0] normal_1 = product << left;
+    wire n61 = ~normal_1[47] & (exponent != 10'd1);
+    wire [47:0] normal = n61 ? {normal_1[46:0], 1'b0} : normal_1;
+    wire [9:0] raw_exponent = n61 ? (exponent - 10'd1) : exponent;
+    wire [25:0] raw_significand_1 = normal[47:22];
+    wire [47:0] low = normal & 48'h3fffff;
+    wire [25:0] raw_significand = (|low) ? (raw_significand_1 | 26'd1) : raw_significand_1;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            nan <= (a_nan_o | b_nan_o) | (infinite_factor & zero_factor);
+            infinity <= infinite_factor;
+            sign <= a_sign_o ^ b_sign_o;
+            exponent <= start_exponent;
+            left <= left_amount;
+            right <= right_amount;
+            product <= array_product_o;
+            result <= rounder_result_o;
+        end
+    end
+
+    // Instances
+    fp_unpack a (
+        .word_i        (a_i),
+        .sign_o        (a_sign_o),
+        .exponent_o    (a_exponent_o),
+        .significand_o (a_significand_o),
+        .nan_o         (a_nan_o),
+        .infinity_o    (a_infinity_o)
+    );
+    fp_unpack b (
+        .word_i        (b_i),
+        .sign_o        (b_sign_o),
+        .exponent_o    (b_exponent_o),
+        .significand_o (b_significand_o),
+        .nan_o         (b_nan_o),
+        .infinity_o    (b_infinity_o)
+    );
+    significand_product array (
+        .a_i       (a_significand_o),
+        .b_i       (b_significand_o),
+        .product_o (array_product_o)
+    );
+    leading_zeros zeros_a (
+        .value_i (a_significand_o),
+        .count_o (zeros_a_count_o)
+    );
+    leading_zeros zeros_b (
+        .value_i (b_significand_o),
+        .count_o (zeros_b_count_o)
+    );
+    sticky_shift_v2 denormalise (
+        .value_i  (raw_significand),
+        .amount_i (right),
+        .result_o (denormalise_result_o)
+    );
+    rounder rounder (
+        .sign_i        (sign),
+        .exponent_i    (raw_exponent),
+        .significand_i (denormalise_result_o),
+        .nan_i         (nan),
+        .infinity_i    (infinity),
+        .result_o      (rounder_result_o)
+    );
+
+    // Outputs
+    assign result_o = result;
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, shortfall[9:8]};
+endmodule
+
+// fp_min_max e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   tied input tag_i = 1'b0
+//   tied input maximum_i = 1'b0
+//   tied input propagate_nan_i = 1'b1
+module fp_min_max_v1 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire        valid_o,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg valid = 1'b0;
+    reg [31:0] result = 32'd0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire nan_a = magnitude_a > 32'h7f800000;
+    wire nan_b = magnitude_b > 32'h7f800000;
+    wire nan = (nan_a & nan_b) | (nan_a | nan_b);
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire below = a_i < b_i;
+    wire choose_a = nan_b | ((magnitude_a <= 32'h7f800000) & (below ^ any_negative));
+    wire [31:0] chosen_2 = choose_a ? a_i : b_i;
+    wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            valid <= valid_i;
+            result <= chosen;
+        end
+    end
+
+    // Outputs
+    assign valid_o = valid;
+    assign result_o = result;
+endmodule
+
+// fp_min_max e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   tied input tag_i = 1'b0
+//   tied input maximum_i = 1'b0
+//   tied input propagate_nan_i = 1'b1
+module fp_min_max_v2 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg [31:0] result = 32'd0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire nan_a = magnitude_a > 32'h7f800000;
+    wire nan_b = magnitude_b > 32'h7f800000;
+    wire nan = (nan_a & nan_b) | (nan_a | nan_b);
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire below = a_i < b_i;
+    wire choose_a = nan_b | ((magnitude_a <= 32'h7f800000) & (below ^ any_negative));
+    wire [31:0] chosen_2 = choose_a ? a_i : b_i;
+    wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            result <= chosen;
+        end
+    end
+
+    // Outputs
+    assign result_o = result;
+endmodule
+
+// fp_min_max e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   tied input tag_i = 1'b0
+//   tied input maximum_i = 1'b1
+//   tied input propagate_nan_i = 1'b1
+module fp_min_max_v3 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg [31:0] result = 32'd0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire nan_a = magnitude_a > 32'h7f800000;
+    wire nan_b = magnitude_b > 32'h7f800000;
+    wire nan = (nan_a & nan_b) | (nan_a | nan_b);
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire below = a_i < b_i;
+    wire n19 = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
+    wire choose_a = nan_b | n19;
+    wire [31:0] chosen_2 = choose_a ? a_i : b_i;
+    wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            result <= chosen;
+        end
+    end
+
+    // Outputs
+    assign result_o = result;
+endmodule
+
+// fp_min_max e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   tied input tag_i = 1'b0
+//   tied input maximum_i = 1'b1
+//   tied input propagate_nan_i = 1'b0
+module fp_min_max_v4 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire        valid_o,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg valid = 1'b0;
+    reg [31:0] result = 32'd0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire nan_a = magnitude_a > 32'h7f800000;
+    wire nan_b = magnitude_b > 32'h7f800000;
+    wire nan = nan_a & nan_b;
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire below = a_i < b_i;
+    wire n18 = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
+    wire choose_a = nan_b | n18;
+    wire [31:0] chosen_2 = choose_a ? a_i : b_i;
+    wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            valid <= valid_i;
+            result <= chosen;
+        end
+    end
+
+    // Outputs
+    assign valid_o = valid;
+    assign result_o = result;
+endmodule
+
+// fp_min_max e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   tied input tag_i = 1'b0
+//   tied input maximum_i = 1'b1
+//   tied input propagate_nan_i = 1'b0
+module fp_min_max_v5 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg [31:0] result = 32'd0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire nan_a = magnitude_a > 32'h7f800000;
+    wire nan_b = magnitude_b > 32'h7f800000;
+    wire nan = nan_a & nan_b;
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire below = a_i < b_i;
+    wire n17 = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
+    wire choose_a = nan_b | n17;
+    wire [31:0] chosen_2 = choose_a ? a_i : b_i;
+    wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            result <= chosen;
+        end
+    end
+
+    // Outputs
+    assign result_o = result;
+endmodule
+
+// fp_min_max e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   constant canonical_nan = 32'h7fc00000
+//   tied input tag_i = 1'b0
+//   tied input maximum_i = 1'b0
+//   tied input propagate_nan_i = 1'b0
+module fp_min_max_v6 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire [31:0] result_o
+);
+
+    // Registers
+    reg [31:0] result = 32'd0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire nan_a = magnitude_a > 32'h7f800000;
+    wire nan_b = magnitude_b > 32'h7f800000;
+    wire nan = nan_a & nan_b;
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire below = a_i < b_i;
+    wire choose_a = nan_b | ((magnitude_a <= 32'h7f800000) & (below ^ any_negative));
+    wire [31:0] chosen_2 = choose_a ? a_i : b_i;
+    wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            result <= chosen;
+        end
+    end
+
+    // Outputs
+    assign result_o = result;
+endmodule
+
+// fp_cmp e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   tied input tag_i = 1'b0
+module fp_cmp_v1 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire        valid_o,
+    output wire        le_o
+);
+
+    // Registers
+    reg valid = 1'b0;
+    reg le = 1'b0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire [31:0] any_magnitude = magnitude_a | magnitude_b;
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire ordered = (magnitude_a <= 32'h7f800000) & (magnitude_b <= 32'h7f800000);
+    wire below = a_i < b_i;
+    wire equal = (a_i == b_i) | ~(|any_magnitude);
+    wire less = (below ^ any_negative) & ~equal;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            valid <= valid_i;
+            le <= ordered & (less | equal);
+        end
+    end
+
+    // Outputs
+    assign valid_o = valid;
+    assign le_o = le;
+endmodule
+
+// fp_cmp e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   tied input tag_i = 1'b0
+module fp_cmp_v2 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire        lt_o
+);
+
+    // Registers
+    reg lt = 1'b0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire [31:0] any_magnitude = magnitude_a | magnitude_b;
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire ordered = (magnitude_a <= 32'h7f800000) & (magnitude_b <= 32'h7f800000);
+    wire below = a_i < b_i;
+    wire equal = (a_i == b_i) | ~(|any_magnitude);
+    wire less = (below ^ any_negative) & ~equal;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            lt <= ordered & less;
+        end
+    end
+
+    // Outputs
+    assign lt_o = lt;
+endmodule
+
+// ray_box_fold e8m23_c2
+module ray_box_fold_v1 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire [31:0] t_i_0_i,
+    input  wire [31:0] t_i_1_i,
+    input  wire [31:0] t_i_2_i,
+    input  wire [31:0] t_i_3_i,
+    input  wire [31:0] t_i_4_i,
+    input  wire [31:0] t_i_5_i,
+    input  wire [31:0] t_min_i,
+    input  wire [31:0] t_max_i,
+    output wire        valid_o,
+    output wire        hit_o,
+    output wire [31:0] t_entry_o
+);
+
+    // Registers
+    reg [31:0] t_entry = 32'd0;
+
+    // Outputs of instances
+    wire axis_near_0_valid_o;
+    wire [31:0] axis_near_0_result_o;
+    wire [31:0] axis_near_1_result_o;
+    wire [31:0] axis_near_2_result_o;
+    wire [31:0] axis_far_0_result_o;
+    wire [31:0] axis_far_1_result_o;
+    wire [31:0] axis_far_2_result_o;
+    wire entry_half_0_valid_o;
+    wire [31:0] entry_half_0_result_o;
+    wire [31:0] entry_half_1_result_o;
+    wire [31:0] exit_half_0_result_o;
+    wire [31:0] exit_half_1_result_o;
+    wire entry_valid_o;
+    wire [31:0] leave_result_o;
+    wire [31:0] t_min_wait_q_o;
+    wire [31:0] entry_result_o;
+    wire accept_0_le_o;
+    wire accept_1_lt_o;
+    wire accept_0_valid_o;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            t_entry <= entry_result_o;
+        end
+    end
+
+    // Instances
+    fp_min_max_v1 axis_near_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .valid_i  (valid_i),
+        .a_i      (t_i_0_i),
+        .b_i      (t_i_3_i),
+        .valid_o  (axis_near_0_valid_o),
+        .result_o (axis_near_0_result_o)
+    );
+    fp_min_max_v2 axis_near_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_1_i),
+        .b_i      (t_i_4_i),
+        .result_o (axis_near_1_result_o)
+    );
+    fp_min_max_v2 axis_near_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_2_i),
+        .b_i      (t_i_5_i),
+        .result_o (axis_near_2_result_o)
+    );
+    fp_min_max_v3 axis_far_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_0_i),
+        .b_i      (t_i_3_i),
+        .result_o (axis_far_0_result_o)
+    );
+    fp_min_max_v3 axis_far_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_1_i),
+        .b_i      (t_i_4_i),
+        .result_o (axis_far_1_result_o)
+    );
+    fp_min_max_v3 axis_far_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_2_i),
+        .b_i      (t_i_5_i),
+        .result_o (axis_far_2_result_o)
+    );
+    fp_min_max_v4 entry_half_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .valid_i  (axis_near_0_valid_o),
+        .a_i      (axis_near_0_result_o),
+        .b_i      (axis_near_1_result_o),
+        .valid_o  (entry_half_0_valid_o),
+        .result_o (entry_half_0_result_o)
+    );
+    fp_min_max_v5 entry_half_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (axis_near_2_result_o),
+        .b_i      (t_min_i),
+        .result_o (entry_half_1_result_o)
+    );
+    fp_min_max_v6 exit_half_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (axis_far_0_result_o),
+        .b_i      (axis_far_1_result_o),
+        .result_o (exit_half_0_result_o)
+    );
+    fp_min_max_v6 exit_half_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (axis_far_2_result_o),
+        .b_i      (t_max_i),
+        .result_o (exit_half_1_result_o)
+    );
+    fp_min_max_v4 entry (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .valid_i  (entry_half_0_valid_o),
+        .a_i      (entry_half_0_result_o),
+        .b_i      (entry_half_1_result_o),
+        .valid_o  (entry_valid_o),
+        .result_o (entry_result_o)
+    );
+    fp_min_max_v6 leave (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (exit_half_0_result_o),
+        .b_i      (exit_half_1_result_o),
+        .result_o (leave_result_o)
+    );
+    delay_v1 t_min_wait (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (t_min_i),
+        .q_o   (t_min_wait_q_o)
+    );
+    fp_cmp_v1 accept_0 (
+        .clk_i   (clk_i),
+        .en_i    (en_i),
+        .valid_i (entry_valid_o),
+        .a_i     (entry_result_o),
+        .b_i     (leave_result_o),
+        .valid_o (accept_0_valid_o),
+        .le_o    (accept_0_le_o)
+    );
+    fp_cmp_v2 accept_1 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .a_i   (leave_result_o),
+        .b_i   (t_min_wait_q_o),
+        .lt_o  (accept_1_lt_o)
+    );
+
+    // Outputs
+    assign valid_o = accept_0_valid_o;
+    assign hit_o = accept_0_le_o & ~accept_1_lt_o;
+    assign t_entry_o = t_entry;
+endmodule
+
+// ray_box e8m23_c2_t1
+//   tied input tag_i = 1'b0
+module ray_box_v1 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire [31:0] box_min_x_i,
+    input  wire [31:0] box_min_y_i,
+    input  wire [31:0] box_min_z_i,
+    input  wire [31:0] box_max_x_i,
+    input  wire [31:0] box_max_y_i,
+    input  wire [31:0] box_max_z_i,
+    input  wire [31:0] origin_x_i,
+    input  wire [31:0] origin_y_i,
+    input  wire [31:0] origin_z_i,
+    input  wire [31:0] inv_entry_x_i,
+    input  wire [31:0] inv_entry_y_i,
+    input  wire [31:0] inv_entry_z_i,
+    input  wire [31:0] inv_exit_x_i,
+    input  wire [31:0] inv_exit_y_i,
+    input  wire [31:0] inv_exit_z_i,
+    input  wire [31:0] t_min_i,
+    input  wire [31:0] t_max_i,
+    output wire        valid_o,
+    output wire        hit_o,
+    output wire [31:0] t_entry_o
+);
+
+    // Outputs of instances
+    wire subtract_0_valid_o;
+    wire [31:0] subtract_0_result_o;
+    wire [31:0] select_inv_o_0_o;
+    wire [31:0] multiply_0_result_o;
+    wire [31:0] subtract_1_result_o;
+    wire [31:0] select_inv_o_1_o;
+    wire [31:0] multiply_1_result_o;
+    wire [31:0] subtract_2_result_o;
+    wire [31:0] select_inv_o_2_o;
+    wire [31:0] multiply_2_result_o;
+    wire [31:0] subtract_3_result_o;
+    wire [31:0] select_inv_o_3_o;
+    wire [31:0] multiply_3_result_o;
+    wire [31:0] subtract_4_result_o;
+    wire [31:0] select_inv_o_4_o;
+    wire [31:0] multiply_4_result_o;
+    wire [31:0] subtract_5_result_o;
+    wire [31:0] select_inv_o_5_o;
+    wire [31:0] multiply_5_result_o;
+    wire multiply_0_valid_o;
+    wire [31:0] select_t_min_o;
+    wire [31:0] select_t_max_o;
+    wire fold_valid_o;
+    wire fold_hit_o;
+    wire [31:0] fold_t_entry_o;
+
+    // Instances
+    ray_box_select select (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .inv_o_0_o     (select_inv_o_0_o),
+        .inv_o_1_o     (select_inv_o_1_o),
+        .inv_o_2_o     (select_inv_o_2_o),
+        .inv_o_3_o     (select_inv_o_3_o),
+        .inv_o_4_o     (select_inv_o_4_o),
+        .inv_o_5_o     (select_inv_o_5_o),
+        .t_min_o       (select_t_min_o),
+        .t_max_o       (select_t_max_o)
+    );
+    fp_add_v1 subtract_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .valid_i  (valid_i),
+        .a_i      (box_min_x_i),
+        .b_i      (origin_x_i),
+        .valid_o  (subtract_0_valid_o),
+        .result_o (subtract_0_result_o)
+    );
+    fp_add_v2 subtract_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_min_y_i),
+        .b_i      (origin_y_i),
+        .result_o (subtract_1_result_o)
+    );
+    fp_add_v2 subtract_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_min_z_i),
+        .b_i      (origin_z_i),
+        .result_o (subtract_2_result_o)
+    );
+    fp_add_v2 subtract_3 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_max_x_i),
+        .b_i      (origin_x_i),
+        .result_o (subtract_3_result_o)
+    );
+    fp_add_v2 subtract_4 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_max_y_i),
+        .b_i      (origin_y_i),
+        .result_o (subtract_4_result_o)
+    );
+    fp_add_v2 subtract_5 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_max_z_i),
+        .b_i      (origin_z_i),
+        .result_o (subtract_5_result_o)
+    );
+    fp_mul_v1 multiply_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .valid_i  (subtract_0_valid_o),
+        .a_i      (subtract_0_result_o),
+        .b_i      (select_inv_o_0_o),
+        .valid_o  (multiply_0_valid_o),
+        .result_o (multiply_0_result_o)
+    );
+    fp_mul_v2 multiply_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_1_result_o),
+        .b_i      (select_inv_o_1_o),
+        .result_o (multiply_1_result_o)
+    );
+    fp_mul_v2 multiply_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_2_result_o),
+        .b_i      (select_inv_o_2_o),
+        .result_o (multiply_2_result_o)
+    );
+    fp_mul_v2 multiply_3 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_3_result_o),
+        .b_i      (select_inv_o_3_o),
+        .result_o (multiply_3_result_o)
+    );
+    fp_mul_v2 multiply_4 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_4_result_o),
+        .b_i      (select_inv_o_4_o),
+        .result_o (multiply_4_result_o)
+    );
+    fp_mul_v2 multiply_5 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_5_result_o),
+        .b_i      (select_inv_o_5_o),
+        .result_o (multiply_5_result_o)
+    );
+    ray_box_fold_v1 fold (
+        .clk_i     (clk_i),
+        .en_i      (en_i),
+        .valid_i   (multiply_0_valid_o),
+        .t_i_0_i   (multiply_0_result_o),
+        .t_i_1_i   (multiply_1_result_o),
+        .t_i_2_i   (multiply_2_result_o),
+        .t_i_3_i   (multiply_3_result_o),
+        .t_i_4_i   (multiply_4_result_o),
+        .t_i_5_i   (multiply_5_result_o),
+        .t_min_i   (select_t_min_o),
+        .t_max_i   (select_t_max_o),
+        .valid_o   (fold_valid_o),
+        .hit_o     (fold_hit_o),
+        .t_entry_o (fold_t_entry_o)
+    );
+
+    // Outputs
+    assign valid_o = fold_valid_o;
+    assign hit_o = fold_hit_o;
+    assign t_entry_o = fold_t_entry_o;
+endmodule
+
+// fp_cmp e8m23_t1
+//   constant magnitude_mask = 32'h7fffffff
+//   constant infinity = 32'h7f800000
+//   tied input tag_i = 1'b0
+module fp_cmp_v3 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] a_i,
+    input  wire [31:0] b_i,
+    output wire        le_o
+);
+
+    // Registers
+    reg le = 1'b0;
+
+    // Logic
+    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
+    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
+    wire [31:0] any_magnitude = magnitude_a | magnitude_b;
+    wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
+    wire ordered = (magnitude_a <= 32'h7f800000) & (magnitude_b <= 32'h7f800000);
+    wire below = a_i < b_i;
+    wire equal = (a_i == b_i) | ~(|any_magnitude);
+    wire less = (below ^ any_negative) & ~equal;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            le <= ordered & (less | equal);
+        end
+    end
+
+    // Outputs
+    assign le_o = le;
+endmodule
+
+// ray_box_fold e8m23_c2
+module ray_box_fold_v2 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] t_i_0_i,
+    input  wire [31:0] t_i_1_i,
+    input  wire [31:0] t_i_2_i,
+    input  wire [31:0] t_i_3_i,
+    input  wire [31:0] t_i_4_i,
+    input  wire [31:0] t_i_5_i,
+    input  wire [31:0] t_min_i,
+    input  wire [31:0] t_max_i,
+    output wire        hit_o,
+    output wire [31:0] t_entry_o
+);
+
+    // Registers
+    reg [31:0] t_entry = 32'd0;
+
+    // Outputs of instances
+    wire [31:0] axis_near_0_result_o;
+    wire [31:0] axis_near_1_result_o;
+    wire [31:0] axis_near_2_result_o;
+    wire [31:0] axis_far_0_result_o;
+    wire [31:0] axis_far_1_result_o;
+    wire [31:0] axis_far_2_result_o;
+    wire [31:0] entry_half_0_result_o;
+    wire [31:0] entry_half_1_result_o;
+    wire [31:0] exit_half_0_result_o;
+    wire [31:0] exit_half_1_result_o;
+    wire [31:0] leave_result_o;
+    wire [31:0] t_min_wait_q_o;
+    wire [31:0] entry_result_o;
+    wire accept_0_le_o;
+    wire accept_1_lt_o;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            t_entry <= entry_result_o;
+        end
+    end
+
+    // Instances
+    fp_min_max_v2 axis_near_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_0_i),
+        .b_i      (t_i_3_i),
+        .result_o (axis_near_0_result_o)
+    );
+    fp_min_max_v2 axis_near_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_1_i),
+        .b_i      (t_i_4_i),
+        .result_o (axis_near_1_result_o)
+    );
+    fp_min_max_v2 axis_near_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_2_i),
+        .b_i      (t_i_5_i),
+        .result_o (axis_near_2_result_o)
+    );
+    fp_min_max_v3 axis_far_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_0_i),
+        .b_i      (t_i_3_i),
+        .result_o (axis_far_0_result_o)
+    );
+    fp_min_max_v3 axis_far_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_1_i),
+        .b_i      (t_i_4_i),
+        .result_o (axis_far_1_result_o)
+    );
+    fp_min_max_v3 axis_far_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (t_i_2_i),
+        .b_i      (t_i_5_i),
+        .result_o (axis_far_2_result_o)
+    );
+    fp_min_max_v5 entry_half_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (axis_near_0_result_o),
+        .b_i      (axis_near_1_result_o),
+        .result_o (entry_half_0_result_o)
+    );
+    fp_min_max_v5 entry_half_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (axis_near_2_result_o),
+        .b_i      (t_min_i),
+        .result_o (entry_half_1_result_o)
+    );
+    fp_min_max_v6 exit_half_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (axis_far_0_result_o),
+        .b_i      (axis_far_1_result_o),
+        .result_o (exit_half_0_result_o)
+    );
+    fp_min_max_v6 exit_half_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (axis_far_2_result_o),
+        .b_i      (t_max_i),
+        .result_o (exit_half_1_result_o)
+    );
+    fp_min_max_v5 entry (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (entry_half_0_result_o),
+        .b_i      (entry_half_1_result_o),
+        .result_o (entry_result_o)
+    );
+    fp_min_max_v6 leave (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (exit_half_0_result_o),
+        .b_i      (exit_half_1_result_o),
+        .result_o (leave_result_o)
+    );
+    delay_v1 t_min_wait (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (t_min_i),
+        .q_o   (t_min_wait_q_o)
+    );
+    fp_cmp_v3 accept_0 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .a_i   (entry_result_o),
+        .b_i   (leave_result_o),
+        .le_o  (accept_0_le_o)
+    );
+    fp_cmp_v2 accept_1 (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .a_i   (leave_result_o),
+        .b_i   (t_min_wait_q_o),
+        .lt_o  (accept_1_lt_o)
+    );
+
+    // Outputs
+    assign hit_o = accept_0_le_o & ~accept_1_lt_o;
+    assign t_entry_o = t_entry;
+endmodule
+
+// ray_box e8m23_c2_t1
+//   tied input tag_i = 1'b0
+module ray_box_v2 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire [31:0] box_min_x_i,
+    input  wire [31:0] box_min_y_i,
+    input  wire [31:0] box_min_z_i,
+    input  wire [31:0] box_max_x_i,
+    input  wire [31:0] box_max_y_i,
+    input  wire [31:0] box_max_z_i,
+    input  wire [31:0] origin_x_i,
+    input  wire [31:0] origin_y_i,
+    input  wire [31:0] origin_z_i,
+    input  wire [31:0] inv_entry_x_i,
+    input  wire [31:0] inv_entry_y_i,
+    input  wire [31:0] inv_entry_z_i,
+    input  wire [31:0] inv_exit_x_i,
+    input  wire [31:0] inv_exit_y_i,
+    input  wire [31:0] inv_exit_z_i,
+    input  wire [31:0] t_min_i,
+    input  wire [31:0] t_max_i,
+    output wire        hit_o,
+    output wire [31:0] t_entry_o
+);
+
+    // Outputs of instances
+    wire [31:0] subtract_0_result_o;
+    wire [31:0] select_inv_o_0_o;
+    wire [31:0] multiply_0_result_o;
+    wire [31:0] subtract_1_result_o;
+    wire [31:0] select_inv_o_1_o;
+    wire [31:0] multiply_1_result_o;
+    wire [31:0] subtract_2_result_o;
+    wire [31:0] select_inv_o_2_o;
+    wire [31:0] multiply_2_result_o;
+    wire [31:0] subtract_3_result_o;
+    wire [31:0] select_inv_o_3_o;
+    wire [31:0] multiply_3_result_o;
+    wire [31:0] subtract_4_result_o;
+    wire [31:0] select_inv_o_4_o;
+    wire [31:0] multiply_4_result_o;
+    wire [31:0] subtract_5_result_o;
+    wire [31:0] select_inv_o_5_o;
+    wire [31:0] multiply_5_result_o;
+    wire [31:0] select_t_min_o;
+    wire [31:0] select_t_max_o;
+    wire fold_hit_o;
+    wire [31:0] fold_t_entry_o;
+
+    // Instances
+    ray_box_select select (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .inv_o_0_o     (select_inv_o_0_o),
+        .inv_o_1_o     (select_inv_o_1_o),
+        .inv_o_2_o     (select_inv_o_2_o),
+        .inv_o_3_o     (select_inv_o_3_o),
+        .inv_o_4_o     (select_inv_o_4_o),
+        .inv_o_5_o     (select_inv_o_5_o),
+        .t_min_o       (select_t_min_o),
+        .t_max_o       (select_t_max_o)
+    );
+    fp_add_v2 subtract_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_min_x_i),
+        .b_i      (origin_x_i),
+        .result_o (subtract_0_result_o)
+    );
+    fp_add_v2 subtract_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_min_y_i),
+        .b_i      (origin_y_i),
+        .result_o (subtract_1_result_o)
+    );
+    fp_add_v2 subtract_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_min_z_i),
+        .b_i      (origin_z_i),
+        .result_o (subtract_2_result_o)
+    );
+    fp_add_v2 subtract_3 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_max_x_i),
+        .b_i      (origin_x_i),
+        .result_o (subtract_3_result_o)
+    );
+    fp_add_v2 subtract_4 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_max_y_i),
+        .b_i      (origin_y_i),
+        .result_o (subtract_4_result_o)
+    );
+    fp_add_v2 subtract_5 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (box_max_z_i),
+        .b_i      (origin_z_i),
+        .result_o (subtract_5_result_o)
+    );
+    fp_mul_v2 multiply_0 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_0_result_o),
+        .b_i      (select_inv_o_0_o),
+        .result_o (multiply_0_result_o)
+    );
+    fp_mul_v2 multiply_1 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_1_result_o),
+        .b_i      (select_inv_o_1_o),
+        .result_o (multiply_1_result_o)
+    );
+    fp_mul_v2 multiply_2 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_2_result_o),
+        .b_i      (select_inv_o_2_o),
+        .result_o (multiply_2_result_o)
+    );
+    fp_mul_v2 multiply_3 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_3_result_o),
+        .b_i      (select_inv_o_3_o),
+        .result_o (multiply_3_result_o)
+    );
+    fp_mul_v2 multiply_4 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_4_result_o),
+        .b_i      (select_inv_o_4_o),
+        .result_o (multiply_4_result_o)
+    );
+    fp_mul_v2 multiply_5 (
+        .clk_i    (clk_i),
+        .en_i     (en_i),
+        .a_i      (subtract_5_result_o),
+        .b_i      (select_inv_o_5_o),
+        .result_o (multiply_5_result_o)
+    );
+    ray_box_fold_v2 fold (
+        .clk_i     (clk_i),
+        .en_i      (en_i),
+        .t_i_0_i   (multiply_0_result_o),
+        .t_i_1_i   (multiply_1_result_o),
+        .t_i_2_i   (multiply_2_result_o),
+        .t_i_3_i   (multiply_3_result_o),
+        .t_i_4_i   (multiply_4_result_o),
+        .t_i_5_i   (multiply_5_result_o),
+        .t_min_i   (select_t_min_o),
+        .t_max_i   (select_t_max_o),
+        .hit_o     (fold_hit_o),
+        .t_entry_o (fold_t_entry_o)
+    );
+
+    // Outputs
+    assign hit_o = fold_hit_o;
+    assign t_entry_o = fold_t_entry_o;
+endmodule
+
+// delay w1_n8
+module delay_v3 (
+    input  wire clk_i,
+    input  wire en_i,
+    input  wire d_i,
+    output wire q_o
+);
+
+    // Registers
+    reg stage_0 = 1'b0;
+    reg stage_1 = 1'b0;
+    reg stage_2 = 1'b0;
+    reg stage_3 = 1'b0;
+    reg stage_4 = 1'b0;
+    reg stage_5 = 1'b0;
+    reg stage_6 = 1'b0;
+    reg stage_7 = 1'b0;
+
+    // Next state
+    always @(posedge clk_i) begin
+        if (en_i) begin
+            stage_0 <= d_i;
+            stage_1 <= stage_0;
+            stage_2 <= stage_1;
+            stage_3 <= stage_2;
+            stage_4 <= stage_3;
+            stage_5 <= stage_4;
+            stage_6 <= stage_5;
+            stage_7 <= stage_6;
+        end
+    end
+
+    // Outputs
+    assign q_o = stage_7;
+endmodule
+
+// ray_box_parallel x8_e8m23_c2_t1
+module ray_box_x8 (
+    input  wire        clk_i,
+    input  wire        en_i,
+    input  wire        valid_i,
+    input  wire        tag_i,
+    input  wire [31:0] box_min_x_i_0_i,
+    input  wire [31:0] box_min_x_i_1_i,
+    input  wire [31:0] box_min_x_i_2_i,
+    input  wire [31:0] box_min_x_i_3_i,
+    input  wire [31:0] box_min_x_i_4_i,
+    input  wire [31:0] box_min_x_i_5_i,
+    input  wire [31:0] box_min_x_i_6_i,
+    input  wire [31:0] box_min_x_i_7_i,
+    input  wire [31:0] box_min_y_i_0_i,
+    input  wire [31:0] box_min_y_i_1_i,
+    input  wire [31:0] box_min_y_i_2_i,
+    input  wire [31:0] box_min_y_i_3_i,
+    input  wire [31:0] box_min_y_i_4_i,
+    input  wire [31:0] box_min_y_i_5_i,
+    input  wire [31:0] box_min_y_i_6_i,
+    input  wire [31:0] box_min_y_i_7_i,
+    input  wire [31:0] box_min_z_i_0_i,
+    input  wire [31:0] box_min_z_i_1_i,
+    input  wire [31:0] box_min_z_i_2_i,
+    input  wire [31:0] box_min_z_i_3_i,
+    input  wire [31:0] box_min_z_i_4_i,
+    input  wire [31:0] box_min_z_i_5_i,
+    input  wire [31:0] box_min_z_i_6_i,
+    input  wire [31:0] box_min_z_i_7_i,
+    input  wire [31:0] box_max_x_i_0_i,
+    input  wire [31:0] box_max_x_i_1_i,
+    input  wire [31:0] box_max_x_i_2_i,
+    input  wire [31:0] box_max_x_i_3_i,
+    input  wire [31:0] box_max_x_i_4_i,
+    input  wire [31:0] box_max_x_i_5_i,
+    input  wire [31:0] box_max_x_i_6_i,
+    input  wire [31:0] box_max_x_i_7_i,
+    input  wire [31:0] box_max_y_i_0_i,
+    input  wire [31:0] box_max_y_i_1_i,
+    input  wire [31:0] box_max_y_i_2_i,
+    input  wire [31:0] box_max_y_i_3_i,
+    input  wire [31:0] box_max_y_i_4_i,
+    input  wire [31:0] box_max_y_i_5_i,
+    input  wire [31:0] box_max_y_i_6_i,
+    input  wire [31:0] box_max_y_i_7_i,
+    input  wire [31:0] box_max_z_i_0_i,
+    input  wire [31:0] box_max_z_i_1_i,
+    input  wire [31:0] box_max_z_i_2_i,
+    input  wire [31:0] box_max_z_i_3_i,
+    input  wire [31:0] box_max_z_i_4_i,
+    input  wire [31:0] box_max_z_i_5_i,
+    input  wire [31:0] box_max_z_i_6_i,
+    input  wire [31:0] box_max_z_i_7_i,
+    input  wire [31:0] origin_x_i,
+    input  wire [31:0] origin_y_i,
+    input  wire [31:0] origin_z_i,
+    input  wire [31:0] inv_entry_x_i,
+    input  wire [31:0] inv_entry_y_i,
+    input  wire [31:0] inv_entry_z_i,
+    input  wire [31:0] inv_exit_x_i,
+    input  wire [31:0] inv_exit_y_i,
+    input  wire [31:0] inv_exit_z_i,
+    input  wire [31:0] t_min_i,
+    input  wire [31:0] t_max_i,
+    output wire        valid_o,
+    output wire        tag_o,
+    output wire        hit_o_0_o,
+    output wire        hit_o_1_o,
+    output wire        hit_o_2_o,
+    output wire        hit_o_3_o,
+    output wire        hit_o_4_o,
+    output wire        hit_o_5_o,
+    output wire        hit_o_6_o,
+    output wire        hit_o_7_o,
+    output wire [31:0] t_entry_o_0_o,
+    output wire [31:0] t_entry_o_1_o,
+    output wire [31:0] t_entry_o_2_o,
+    output wire [31:0] t_entry_o_3_o,
+    output wire [31:0] t_entry_o_4_o,
+    output wire [31:0] t_entry_o_5_o,
+    output wire [31:0] t_entry_o_6_o,
+    output wire [31:0] t_entry_o_7_o
+);
+
+    // Outputs of instances
+    wire lane_0_hit_o;
+    wire [31:0] lane_0_t_entry_o;
+    wire lane_1_hit_o;
+    wire [31:0] lane_1_t_entry_o;
+    wire lane_2_hit_o;
+    wire [31:0] lane_2_t_entry_o;
+    wire lane_3_hit_o;
+    wire [31:0] lane_3_t_entry_o;
+    wire lane_4_hit_o;
+    wire [31:0] lane_4_t_entry_o;
+    wire lane_5_hit_o;
+    wire [31:0] lane_5_t_entry_o;
+    wire lane_6_hit_o;
+    wire [31:0] lane_6_t_entry_o;
+    wire lane_7_hit_o;
+    wire [31:0] lane_7_t_entry_o;
+    wire lane_0_valid_o;
+    wire tag_q_o;
+
+    // Instances
+    ray_box_v1 lane_0 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .valid_i       (valid_i),
+        .box_min_x_i   (box_min_x_i_0_i),
+        .box_min_y_i   (box_min_y_i_0_i),
+        .box_min_z_i   (box_min_z_i_0_i),
+        .box_max_x_i   (box_max_x_i_0_i),
+        .box_max_y_i   (box_max_y_i_0_i),
+        .box_max_z_i   (box_max_z_i_0_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .valid_o       (lane_0_valid_o),
+        .hit_o         (lane_0_hit_o),
+        .t_entry_o     (lane_0_t_entry_o)
+    );
+    ray_box_v2 lane_1 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .box_min_x_i   (box_min_x_i_1_i),
+        .box_min_y_i   (box_min_y_i_1_i),
+        .box_min_z_i   (box_min_z_i_1_i),
+        .box_max_x_i   (box_max_x_i_1_i),
+        .box_max_y_i   (box_max_y_i_1_i),
+        .box_max_z_i   (box_max_z_i_1_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .hit_o         (lane_1_hit_o),
+        .t_entry_o     (lane_1_t_entry_o)
+    );
+    ray_box_v2 lane_2 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .box_min_x_i   (box_min_x_i_2_i),
+        .box_min_y_i   (box_min_y_i_2_i),
+        .box_min_z_i   (box_min_z_i_2_i),
+        .box_max_x_i   (box_max_x_i_2_i),
+        .box_max_y_i   (box_max_y_i_2_i),
+        .box_max_z_i   (box_max_z_i_2_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .hit_o         (lane_2_hit_o),
+        .t_entry_o     (lane_2_t_entry_o)
+    );
+    ray_box_v2 lane_3 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .box_min_x_i   (box_min_x_i_3_i),
+        .box_min_y_i   (box_min_y_i_3_i),
+        .box_min_z_i   (box_min_z_i_3_i),
+        .box_max_x_i   (box_max_x_i_3_i),
+        .box_max_y_i   (box_max_y_i_3_i),
+        .box_max_z_i   (box_max_z_i_3_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .hit_o         (lane_3_hit_o),
+        .t_entry_o     (lane_3_t_entry_o)
+    );
+    ray_box_v2 lane_4 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .box_min_x_i   (box_min_x_i_4_i),
+        .box_min_y_i   (box_min_y_i_4_i),
+        .box_min_z_i   (box_min_z_i_4_i),
+        .box_max_x_i   (box_max_x_i_4_i),
+        .box_max_y_i   (box_max_y_i_4_i),
+        .box_max_z_i   (box_max_z_i_4_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .hit_o         (lane_4_hit_o),
+        .t_entry_o     (lane_4_t_entry_o)
+    );
+    ray_box_v2 lane_5 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .box_min_x_i   (box_min_x_i_5_i),
+        .box_min_y_i   (box_min_y_i_5_i),
+        .box_min_z_i   (box_min_z_i_5_i),
+        .box_max_x_i   (box_max_x_i_5_i),
+        .box_max_y_i   (box_max_y_i_5_i),
+        .box_max_z_i   (box_max_z_i_5_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .hit_o         (lane_5_hit_o),
+        .t_entry_o     (lane_5_t_entry_o)
+    );
+    ray_box_v2 lane_6 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .box_min_x_i   (box_min_x_i_6_i),
+        .box_min_y_i   (box_min_y_i_6_i),
+        .box_min_z_i   (box_min_z_i_6_i),
+        .box_max_x_i   (box_max_x_i_6_i),
+        .box_max_y_i   (box_max_y_i_6_i),
+        .box_max_z_i   (box_max_z_i_6_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .hit_o         (lane_6_hit_o),
+        .t_entry_o     (lane_6_t_entry_o)
+    );
+    ray_box_v2 lane_7 (
+        .clk_i         (clk_i),
+        .en_i          (en_i),
+        .box_min_x_i   (box_min_x_i_7_i),
+        .box_min_y_i   (box_min_y_i_7_i),
+        .box_min_z_i   (box_min_z_i_7_i),
+        .box_max_x_i   (box_max_x_i_7_i),
+        .box_max_y_i   (box_max_y_i_7_i),
+        .box_max_z_i   (box_max_z_i_7_i),
+        .origin_x_i    (origin_x_i),
+        .origin_y_i    (origin_y_i),
+        .origin_z_i    (origin_z_i),
+        .inv_entry_x_i (inv_entry_x_i),
+        .inv_entry_y_i (inv_entry_y_i),
+        .inv_entry_z_i (inv_entry_z_i),
+        .inv_exit_x_i  (inv_exit_x_i),
+        .inv_exit_y_i  (inv_exit_y_i),
+        .inv_exit_z_i  (inv_exit_z_i),
+        .t_min_i       (t_min_i),
+        .t_max_i       (t_max_i),
+        .hit_o         (lane_7_hit_o),
+        .t_entry_o     (lane_7_t_entry_o)
+    );
+    delay_v3 tag (
+        .clk_i (clk_i),
+        .en_i  (en_i),
+        .d_i   (tag_i),
+        .q_o   (tag_q_o)
+    );
+
+    // Outputs
+    assign valid_o = lane_0_valid_o;
+    assign tag_o = tag_q_o;
+    assign hit_o_0_o = lane_0_hit_o;
+    assign hit_o_1_o = lane_1_hit_o;
+    assign hit_o_2_o = lane_2_hit_o;
+    assign hit_o_3_o = lane_3_hit_o;
+    assign hit_o_4_o = lane_4_hit_o;
+    assign hit_o_5_o = lane_5_hit_o;
+    assign hit_o_6_o = lane_6_hit_o;
+    assign hit_o_7_o = lane_7_hit_o;
+    assign t_entry_o_0_o = lane_0_t_entry_o;
+    assign t_entry_o_1_o = lane_1_t_entry_o;
+    assign t_entry_o_2_o = lane_2_t_entry_o;
+    assign t_entry_o_3_o = lane_3_t_entry_o;
+    assign t_entry_o_4_o = lane_4_t_entry_o;
+    assign t_entry_o_5_o = lane_5_t_entry_o;
+    assign t_entry_o_6_o = lane_6_t_entry_o;
+    assign t_entry_o_7_o = lane_7_t_entry_o;
+endmodule
+
+`default_nettype wire
