@@ -212,8 +212,8 @@ pub struct ExplainArgs {
 
 #[derive(Args, Debug)]
 pub struct ReproduceArgs {
-    /// quick: small scenes and pictures, under two minutes on two cores.
-    #[arg(long, default_value = "quick", value_parser = ["quick"])]
+    /// smoke: minute scenes and pictures, seconds; quick: small ones, under two minutes on two cores.
+    #[arg(long, default_value = "quick", value_parser = ["smoke", "quick"])]
     pub preset: String,
     /// The folder to write; one that this command made before is written anew.
     #[arg(long, default_value = "out", value_name = "DIR")]

@@ -221,6 +221,39 @@ fn pictures_that_cannot_be_compared() {
     work.refused("compare a.png b.png", &["a.png", "b.png", "8 x 8"]);
 }
 
+#[test]
+fn reproduce() {
+    let work = Workplace::new();
+    let artifacts = |line: &str| -> Vec<String> {
+        let document = work.json(line);
+        let paths = document["artifacts"].as_array().unwrap();
+        paths.iter().map(|path| path.as_str().unwrap().to_owned()).collect()
+    };
+    let paths = artifacts("reproduce --preset smoke --threads 2");
+    let pictures = scenes::procedural::CATALOGUE.len() * 2 * (4 + 1);
+    assert_eq!(paths.len(), pictures + 3);
+    let results: serde_json::Value = serde_json::from_slice(&work.read("out/results.json")).unwrap();
+    has_keys(&results, &["mode", "seed", "scenes"]);
+    let csv = String::from_utf8(work.read("out/work.csv")).unwrap();
+    assert!(csv.starts_with("scene,test,structure,mode,class,rays,hits,node_visits,plane_tests"), "{csv}");
+
+    // Again on one thread: every file is replaced by an equal one, but for those that hold times.
+    let before: Vec<_> = paths.iter().map(|path| work.read(path)).collect();
+    work.write("out/mine.txt", b"mine");
+    assert_eq!(artifacts("reproduce --preset smoke --threads 1"), paths);
+    for (path, before) in paths.iter().zip(before) {
+        if !path.ends_with("trees.csv") && !path.ends_with("results.json") {
+            assert!(work.read(path) == before, "{path}");
+        }
+    }
+    assert_eq!(work.read("out/mine.txt"), b"mine");
+
+    std::fs::create_dir(work.path("photos")).unwrap();
+    work.write("photos/cat.png", b"cat");
+    work.refused("reproduce --preset smoke --out photos", &["photos", "--force"]);
+    work.refused("reproduce --preset huge", &["huge", "quick"]);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_closed_pipe_is_no_panic() {

@@ -21,7 +21,7 @@ use std::time::Instant;
 /// How large the job is.
 struct Preset {
     name: &'static str,
-    /// About this many triangles to a scene.
+    /// About this many triangles to a scene, but not fewer than its coarsest level has.
     triangles: f64,
     quality: Quality,
     /// Side of the renderings in which work is counted, in pixels, with one sample each.
@@ -31,15 +31,26 @@ struct Preset {
     picture_samples: u32,
 }
 
-/// Two minutes on two cores are plenty for it.
-const QUICK: Preset = Preset {
-    name: "quick",
-    triangles: 60_000.0,
-    quality: Quality::High,
-    measured_side: 192,
-    picture_side: 320,
-    picture_samples: 8,
-};
+const PRESETS: [Preset; 2] = [
+    // To see in seconds whether everything works.
+    Preset {
+        name: "smoke",
+        triangles: 1.0,
+        quality: Quality::Fast,
+        measured_side: 24,
+        picture_side: 48,
+        picture_samples: 1,
+    },
+    // Two minutes on two cores are plenty for it.
+    Preset {
+        name: "quick",
+        triangles: 60_000.0,
+        quality: Quality::High,
+        measured_side: 192,
+        picture_side: 320,
+        picture_samples: 8,
+    },
+];
 
 #[derive(Serialize)]
 struct Document {
@@ -106,7 +117,7 @@ struct Artifact {
 
 pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
     let start = Instant::now();
-    let preset = QUICK;
+    let preset = PRESETS.iter().find(|preset| preset.name == args.preset).expect("a possible value");
     let mut artifacts = Artifacts::create(&args.out, global.force)?;
     let options = RenderOptions {
         seed: global.seed,
@@ -135,7 +146,7 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
         let built = Built::new(&scene, preset.quality)?;
         let structures = tree::rows(&built)?;
         bar.inc(1);
-        let renders = renders(&scene, &built, &options, &mut artifacts, || bar.inc(1))?;
+        let renders = renders(&scene, &built, preset, &options, &mut artifacts, || bar.inc(1))?;
         document.scenes.push(SceneResult {
             scene: scene.name,
             stands_for: entry.stands_for,
@@ -160,6 +171,7 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
 fn renders(
     scene: &Scene,
     built: &Built,
+    preset: &Preset,
     options: &RenderOptions,
     artifacts: &mut Artifacts,
     done: impl Fn(),
@@ -191,9 +203,9 @@ fn renders(
         }
         let (structure, _) = built.convert(StructureKind::Dst)?;
         let options = RenderOptions {
-            width: QUICK.picture_side,
-            height: QUICK.picture_side,
-            samples: QUICK.picture_samples,
+            width: preset.picture_side,
+            height: preset.picture_side,
+            samples: preset.picture_samples,
             count_work: false,
             ..options
         };
