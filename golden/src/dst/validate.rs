@@ -164,13 +164,20 @@ impl Dst {
     /// # Errors
     /// A reserved header, a node or child out of range, a chain that is too long or grows its box.
     pub fn record(&self, start: u32, region: Aabb) -> Result<Record, DstDefect> {
-        let mut record =
-            Record { offset: start, region, carves: 0, words: 0, end: End::Leaf { first_triangle: 0 } };
+        let mut record = Record {
+            offset: start,
+            region,
+            carves: 0,
+            words: 0,
+            visited_half_area: 0.0,
+            end: End::Leaf { first_triangle: 0 },
+        };
         let mut offset = start;
         loop {
             let out_of_range = DstDefect::OutOfRange { offset };
             let word = *self.words().get(offset as usize).ok_or(out_of_range.clone())?;
             let header = Header::decode(word).ok_or(DstDefect::Header { offset, word })?;
+            record.visited_half_area += record.region.half_area();
             if let Header::Leaf { first_triangle } = header {
                 record.words += LEAF_WORDS as usize;
                 record.end = End::Leaf { first_triangle };
@@ -232,6 +239,8 @@ pub struct Record {
     pub carves: usize,
     /// Words that the chain and its end take.
     pub words: usize,
+    /// Sum over these nodes of half the area of the box that is left when the node is visited.
+    pub visited_half_area: f64,
     /// The split or leaf inside.
     pub end: End,
 }

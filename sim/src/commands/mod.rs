@@ -1,0 +1,34 @@
+//! One file for each command.
+
+mod compare;
+mod explain;
+mod render;
+mod reproduce;
+mod scenes;
+mod trace;
+mod tree;
+mod work;
+
+use crate::cli::{Cli, Command, ReproduceArgs};
+use crate::console::Report;
+use anyhow::Context;
+
+/// Runs the command of `cli`.
+pub fn run(cli: &Cli) -> anyhow::Result<Report> {
+    let global = &cli.global;
+    if let Some(threads) = global.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+        pool.build_global()
+            .with_context(|| format!("--threads {threads}: the system does not start them"))?;
+    }
+    match &cli.command {
+        Some(Command::Scenes(args)) => scenes::run(args, global),
+        Some(Command::Tree(args)) => tree::run(args, global),
+        Some(Command::Trace(args)) => trace::run(args, global),
+        Some(Command::Render(args)) => render::run(args, global),
+        Some(Command::Compare(args)) => compare::run(args, global),
+        Some(Command::Explain(args)) => explain::run(args, global),
+        Some(Command::Reproduce(args)) => reproduce::run(args, global),
+        None => reproduce::run(&ReproduceArgs::default(), global),
+    }
+}

@@ -1,0 +1,61 @@
+//! `dualsplit scenes`: what is built in, and its export.
+
+use crate::cli::{Global, ScenesArgs};
+use crate::console::{Report, spinner, table};
+use crate::input::check_writable;
+use scenes::procedural::{self, CATALOGUE};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Document {
+    scenes: Vec<Entry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exported: Option<Exported>,
+}
+
+#[derive(Serialize)]
+struct Entry {
+    name: &'static str,
+    /// At full detail.
+    triangles: usize,
+    stands_for: &'static str,
+    description: &'static str,
+}
+
+#[derive(Serialize)]
+struct Exported {
+    name: String,
+    triangles: usize,
+    detail: f64,
+    seed: u64,
+    path: std::path::PathBuf,
+}
+
+pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
+    let mut document = Document { scenes: CATALOGUE.iter().map(Entry::new).collect(), exported: None };
+    let (Some(name), Some(path)) = (&args.name, &args.export) else {
+        let rows = document.scenes.iter().map(|entry| {
+            [entry.name, &entry.triangles.to_string(), entry.stands_for, entry.description].map(str::to_owned)
+        });
+        let text = table(["name", "triangles", "stands for", "what it is"], rows);
+        return Ok(Report::new(&document, text));
+    };
+    check_writable("--export", path, global.force)?;
+    let progress = spinner(format!("making {name}"));
+    let detail = args.detail.detail;
+    let scene = procedural::build(name, detail, global.seed)?;
+    scenes::obj::save(path, name, &scene.mesh, global.force)?;
+    progress.finish_and_clear();
+    let triangles = scene.mesh.triangles.len();
+    document.scenes.retain(|entry| entry.name == name);
+    document.exported =
+        Some(Exported { name: name.clone(), triangles, detail, seed: global.seed, path: path.clone() });
+    Ok(Report::new(&document, format!("{}: {triangles} triangles", path.display())))
+}
+
+impl Entry {
+    fn new(entry: &procedural::CatalogueEntry) -> Self {
+        let procedural::CatalogueEntry { name, stands_for, triangles, description, .. } = *entry;
+        Self { name, triangles, stands_for, description }
+    }
+}

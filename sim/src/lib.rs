@@ -1,0 +1,4 @@
+//! What the tool `dualsplit` is made of, as a library: pictures and their comparison, and traversal step by step.
+
+pub mod picture;
+pub mod walk;

@@ -1,0 +1,240 @@
+//! Every command: its JSON keys, its files, and what it refuses.
+
+mod support;
+
+use support::{Workplace, has_keys};
+
+const COUNTERS: [&str; 4] = ["node_visits", "plane_tests", "box_tests", "triangle_tests"];
+
+#[test]
+fn scenes() {
+    let work = Workplace::new();
+    let all = work.json("scenes");
+    let scenes = all["scenes"].as_array().unwrap();
+    assert_eq!(scenes.len(), scenes::procedural::CATALOGUE.len());
+    scenes.iter().for_each(|scene| has_keys(scene, &["name", "triangles", "stands_for"]));
+
+    let exported = work.json("scenes hairball --export hair.obj.xz --detail 0.001");
+    let triangles = exported["exported"]["triangles"].as_u64().unwrap();
+    let tree = work.json("tree hair.obj.xz --quality fast");
+    assert_eq!(tree["triangles"].as_u64(), Some(triangles));
+
+    work.refused("scenes hairball", &["--export"]);
+    work.refused("scenes --export a.obj", &["NAME"]);
+    work.refused("scenes teapot --export a.obj", &["teapot", "hairball"]);
+    work.refused("scenes hairball --export hair.obj.xz --detail 0.001", &["hair.obj.xz", "--force"]);
+    work.refused("scenes hairball --export b.obj --detail 0", &["detail", "0"]);
+    work.refused("scenes hairball --export nowhere/b.obj", &["nowhere"]);
+}
+
+#[test]
+fn tree() {
+    let work = Workplace::new();
+    let document = work.json("tree scene.obj");
+    has_keys(&document, &["scene", "triangles", "structures"]);
+    assert_eq!(document["triangles"], 6);
+    let structures = document["structures"].as_array().unwrap();
+    let names: Vec<_> = structures.iter().map(|s| s["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "dst"]);
+    for s in structures {
+        has_keys(
+            s,
+            &[
+                "nodes",
+                "leaves",
+                "bytes",
+                "bytes_per_triangle",
+                "sah_cost",
+                "max_depth",
+                "build_ms",
+                "convert_ms",
+                "carve_nodes_per_split",
+            ],
+        );
+    }
+    let text = String::from_utf8(work.run("tree scene.obj").stdout).unwrap();
+    for words in ["| bvh8", "Leaves by depth", "Children by number of carve nodes"] {
+        assert!(text.contains(words), "{text}");
+    }
+}
+
+#[test]
+fn render_trace_and_compare() {
+    let work = Workplace::new();
+    let size = "--size 40x30 --spp 2";
+    for structure in ["bvh2", "bvh4", "bvh8", "dst"] {
+        for test in ["raycast", "path"] {
+            let line = format!("render scene.obj --structure {structure} --test {test} {size}");
+            let document = work.json(&format!("{line} --out {structure}-{test}.exr"));
+            has_keys(&document, &["rays", "seconds", "max", "mode", "classes"]);
+            assert!(document["max"].as_f64().unwrap() > 0.0);
+            assert!(document["maxima"]["node_visits"].as_u64().unwrap() > 0);
+            work.json(&format!("{line} --out {structure}-{test}.png --mode fast"));
+        }
+    }
+    // The counters differ, the colours do not.
+    let equal = work.json("compare bvh2-path.exr dst-path.exr");
+    assert_eq!((&equal["differing_pixels"], &equal["rmse"]), (&0.into(), &0.0.into()));
+    assert_ne!(work.read("bvh2-path.exr"), work.read("dst-path.exr"));
+    for other in ["bvh4", "bvh8", "dst"] {
+        assert_eq!(work.read("bvh2-path.png"), work.read(&format!("{other}-path.png")));
+        assert_eq!(work.read("bvh2-raycast.png"), work.read(&format!("{other}-raycast.png")));
+    }
+
+    let different = work.run("compare dst-path.png dst-raycast.png --out difference.png --json");
+    assert_eq!(different.status.code(), Some(1));
+    let different: serde_json::Value = serde_json::from_slice(&different.stdout).unwrap();
+    assert!(different["differing_pixels"].as_u64().unwrap() > 100);
+    has_keys(&different, &["rmse", "psnr_db", "max_abs"]);
+    assert!(work.path("difference.png").exists());
+
+    let render = work.json(&format!("render scene.obj --test path {size} --out a.png --rays a.rays.xz"));
+    assert_eq!(work.read("a.png"), work.read("dst-path.png"));
+    for structure in ["bvh2", "dst"] {
+        let line = format!("trace scene.obj --rays a.rays.xz --structure {structure} --mode robust");
+        let trace = work.json(&format!("{line} --out {structure}.hits"));
+        has_keys(&trace, &["rays", "hits", "rays_per_second", "mode"]);
+        has_keys(&trace, &COUNTERS);
+        assert_eq!(trace["rays"], render["rays"]);
+        assert_eq!(trace["classes"].as_array().unwrap().len(), render["classes"].as_array().unwrap().len());
+    }
+    assert_eq!(work.read("bvh2.hits"), work.read("dst.hits"));
+}
+
+#[test]
+fn threads_and_seed() {
+    let work = Workplace::new();
+    let picture = |name: &str, options: &str| {
+        work.json(&format!("render scene.obj --size 33x21 --out {name} {options}"));
+        work.read(name)
+    };
+    let one = picture("one.exr", "--threads 1");
+    assert_eq!(one, picture("three.exr", "--threads 3"));
+    assert_ne!(one, picture("seed.exr", "--seed 1"));
+}
+
+#[test]
+fn heat_maps() {
+    let work = Workplace::new();
+    let mut maps = vec![];
+    for quantity in ["node-visits", "plane-tests", "triangle-tests", "stack-depth"] {
+        let line = format!("render scene.obj --size 64x48 --heatmap {quantity} --out {quantity}.png");
+        let document = work.json(&line);
+        assert_eq!(document["max_of"], quantity);
+        assert_eq!(document["max"].as_f64(), document["maxima"][quantity.replace('-', "_")].as_f64());
+        maps.push(work.read(&format!("{quantity}.png")));
+    }
+    assert!(maps.windows(2).all(|pair| pair[0] != pair[1]));
+    work.refused("render scene.obj --heatmap speed --out a.png", &["speed", "node-visits"]);
+    work.refused("render scene.obj --heatmap stack-depth --out a.exr", &["--out a.exr", "--heatmap"]);
+    work.refused("render scene.obj --heatmap-max 5 --out a.png", &["--heatmap"]);
+}
+
+#[test]
+fn views() {
+    let work = Workplace::new();
+    let view = "--eye -3,2.5,-3 --target 0,0.5,0 --up 0,1,0 --fov 35 --light -2,5,1";
+    work.json(&format!("render scene.obj --size 32x32 {view} --out a.png"));
+    work.json("render scene.obj --size 32x32 --out b.png");
+    assert_ne!(work.read("a.png"), work.read("b.png"));
+    let refused = |options: &str, words: &[&str]| {
+        work.refused(&format!("render scene.obj --out c.png {options}"), words);
+    };
+    refused("--eye 1,2", &["--eye", "1,2", "comma"]);
+    refused("--eye 0,0,0 --target 0,0,0", &["eye", "target"]);
+    refused("--up 0,0,0", &["up"]);
+    refused("--fov 180", &["fov"]);
+    refused("--light 0,0,0 --target 0,0,0", &["--light"]);
+    refused("--size 0x10", &["size", "0x10"]);
+    refused("--size 10", &["--size"]);
+    refused("--spp 0", &["spp"]);
+    refused("--threads 0", &["--threads"]);
+}
+
+#[test]
+fn explain() {
+    let work = Workplace::new();
+    let line = "explain scene.obj --pixel 16,16 --size 32x32";
+    let document = work.json(line);
+    has_keys(&document, &["scene", "mode", "pixel", "ray", "hit", "structures"]);
+    assert!(document["hit"]["t"].as_f64().unwrap() > 0.0);
+    let structures = document["structures"].as_array().unwrap();
+    assert_eq!(structures.iter().map(|s| s["name"].as_str().unwrap()).collect::<Vec<_>>(), ["dst", "bvh2"]);
+    for s in structures {
+        has_keys(s, &COUNTERS);
+        let visited = |step: &&serde_json::Value| step["step"] == "node" || step["step"] == "box";
+        let visits = s["steps"].as_array().unwrap().iter().filter(visited).count();
+        assert_eq!(visits as u64, s["node_visits"].as_u64().unwrap());
+    }
+    let text = String::from_utf8(work.run(line).stdout).unwrap();
+    assert!(text.contains("root box") && text.contains("best"), "{text}");
+    work.refused("explain scene.obj --pixel 32,0 --size 32x32", &["--pixel 32,0", "32x32"]);
+    work.refused("explain scene.obj", &["--pixel"]);
+}
+
+#[test]
+fn files_are_kept_without_force() {
+    let work = Workplace::new();
+    work.json("render scene.obj --size 8x8 --out a.png --rays a.rays");
+    let before = work.read("a.png");
+    work.refused("render scene.obj --size 9x9 --out a.png", &["a.png", "--force"]);
+    work.refused("render scene.obj --size 9x9 --out new.png --rays a.rays", &["a.rays", "--force"]);
+    work.refused("trace scene.obj --rays a.rays --out a.rays", &["a.rays", "--force"]);
+    work.refused("compare a.png a.png --out a.png", &["a.png", "--force"]);
+    assert_eq!(work.read("a.png"), before);
+    work.json("render scene.obj --size 9x9 --out a.png --force");
+    assert_ne!(work.read("a.png"), before);
+}
+
+#[test]
+fn bad_input_is_named() {
+    let work = Workplace::new();
+    work.write("empty.obj", b"");
+    work.write("nan.obj", b"v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n");
+    work.write("short.rays", b"DSTRAYS1\x02\0\0\0\x01\0\0\0 too short");
+    work.write("no.png", b"no");
+    work.refused("tree nothing", &["nothing", "built-in"]);
+    work.refused("tree nothing.obj", &["nothing.obj"]);
+    work.refused("tree empty.obj", &["empty.obj"]);
+    work.refused("tree nan.obj", &["nan.obj:2"]);
+    work.refused("tree hairball --detail 2", &["detail 2"]);
+    work.refused("tree scene.obj --quality best", &["best", "medium"]);
+    work.refused("render scene.obj --out a.jpg", &["a.jpg", ".png"]);
+    work.refused("render scene.obj --out nowhere/a.png", &["nowhere"]);
+    work.refused("render scene.obj --structure octree --out a.png", &["octree", "dst"]);
+    work.refused("render scene.obj --mode careful --out a.png", &["careful", "robust"]);
+    work.refused("trace scene.obj --rays short.rays", &["short.rays", "offset", "ray 0 of 2"]);
+    work.refused("trace scene.obj --rays scene.obj", &["scene.obj", "DSTRAYS1"]);
+    work.refused("trace scene.obj --rays none.rays", &["none.rays"]);
+    work.refused("compare no.png no.png", &["no.png"]);
+    work.refused("compare scene.obj no.png", &["scene.obj", ".exr"]);
+    work.refused("frobnicate", &["frobnicate"]);
+}
+
+#[test]
+fn pictures_that_cannot_be_compared() {
+    let work = Workplace::new();
+    work.json("render scene.obj --size 8x8 --out a.png");
+    work.json("render scene.obj --size 8x8 --out a.exr");
+    work.json("render scene.obj --size 8x9 --out b.png");
+    work.refused("compare a.png a.exr", &["a.png", "a.exr"]);
+    work.refused("compare a.png b.png", &["a.png", "b.png", "8 x 8"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_is_no_panic() {
+    use std::process::{Command, Stdio};
+    let work = Workplace::new();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_dualsplit"))
+        .args(["tree", "scene.obj"])
+        .current_dir(work.path(""))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+}
