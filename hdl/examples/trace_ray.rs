@@ -57,8 +57,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// The present value of a named signal of the instance with this path.
 fn value(netlist: &Flat, simulation: &Evaluator, instance: &str, signal: &str) -> u128 {
-    let named = netlist.names.iter().find(|named| {
-        netlist.scopes[named.scope as usize].path == instance && named.name == signal
-    });
+    let named = netlist
+        .names
+        .iter()
+        .find(|named| netlist.scopes[named.scope as usize].path == instance && named.name == signal);
     simulation.value(named.unwrap_or_else(|| panic!("no signal {instance}.{signal}")).node)
 }

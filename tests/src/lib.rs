@@ -1,5 +1,7 @@
 //! What the checks across the crates share.
 
+pub mod tools;
+
 use golden::build::{BuildOptions, build};
 use golden::dst::Dst;
 use golden::structure::pack_triangles;

@@ -9,7 +9,7 @@ use proptest::test_runner::{Config, RngSeed, TestRunner};
 use tests::{netlist, netlist_in};
 
 /// Classes that a stream of some thousand operations has to meet.
-const UNIT_CLASSES: [&str; 7] = [
+const UNIT_CLASSES: [&str; 9] = [
     "bubble",
     "stall",
     "NaN operand",
@@ -17,6 +17,8 @@ const UNIT_CLASSES: [&str; 7] = [
     "subnormal operand",
     "-0 operand",
     "equal magnitudes",
+    "infinity and zero",
+    "two infinities",
 ];
 const ROUNDED_CLASSES: [&str; 5] =
     ["zero result", "subnormal result", "normal result", "infinite result", "NaN result"];

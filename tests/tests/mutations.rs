@@ -155,7 +155,6 @@ fn faults() -> Vec<Row> {
         (SharedUnits, "shared_units", "ray_box", exchange("dual_split"), "routing codes mixed up"),
         (SharedUnits, "shared_units", "add_valid$6", Constant(0), "free unit not available"),
         // An operator in place of another.
-        (FpAdd, "fp_add", "swap", Operator(BinaryOp::SignedLt), "magnitudes compared as signed"),
         (FpMul, "fp_mul", "exponent_sum", Operator(BinaryOp::Sub), "exponents subtracted"),
         (FpMinMax, "fp_min_max", "below", Operator(BinaryOp::SignedLt), "bit patterns compared as signed"),
     ]
@@ -165,6 +164,13 @@ fn faults() -> Vec<Row> {
 fn equivalent() -> Vec<Row> {
     use Change::{Constant, Operator};
     vec![
+        (
+            Top::FpAdd,
+            "fp_add",
+            "swap",
+            Operator(BinaryOp::SignedLt),
+            "compares magnitudes, whose sign bit is masked off, so that signed and unsigned order agree",
+        ),
         (
             Top::FpMinMax,
             "fp_min_max",

@@ -60,7 +60,7 @@ fn image_rays(scene: &Scene, size: u32, mode: Mode) -> Vec<TraversalRay> {
 #[test]
 fn an_image_traced_by_the_netlist_is_goldens() {
     const SIZE: u32 = 20;
-    let (scene, dst) = scene("statue", DETAIL);
+    let (scene, dst) = scene("hairball", DETAIL);
     for top in [Top::DualSplit, Top::DualSplitLean] {
         let netlist = netlist(top);
         let mut hardware = Hardware::new(&netlist);

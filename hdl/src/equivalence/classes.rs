@@ -9,8 +9,16 @@ pub fn operands(format: Format, [a, b]: [u32; 2], class: &mut impl FnMut(&'stati
     for name in value_classes(format, &[a, b]) {
         class(name);
     }
-    if format.magnitude(a) == format.magnitude(b) {
+    let [x, y] = [a, b].map(|bits| format.magnitude(bits));
+    if x == y {
         class("equal magnitudes");
+    }
+    let infinity = format.infinity();
+    if [x, y] == [0, infinity] || [x, y] == [infinity, 0] {
+        class("infinity and zero");
+    }
+    if x == infinity && y == infinity {
+        class("two infinities");
     }
 }
 

@@ -4,6 +4,7 @@ use super::cases::{Cases, NodeCase};
 use super::ports::{BoxPorts, NodePorts, Ports};
 use crate::catalogue::{StandardFormat, Top};
 use crate::netlist::{Flat, mask};
+use golden::fp::Format;
 use golden::fp::operands::Operands;
 
 /// Cycles between changes of the shared block's routing.
@@ -22,6 +23,8 @@ pub struct Stimulus {
     node: Option<NodePorts>,
     boxes: Vec<BoxPorts>,
     mode: Option<(usize, u128)>,
+    /// One value of each class, of either sign.
+    special: Vec<u32>,
     stream: Operands,
     cases: Cases,
     /// Nodes to take first, in reverse order.
@@ -58,6 +61,7 @@ impl Stimulus {
             node: has_node.then(|| ports.node()),
             boxes,
             mode: netlist.input("mode_i").map(|position| (position, 0)),
+            special: special(format.format()),
             stream: Operands::new(format.format(), seed),
             cases: Cases::new(seed ^ 0x5eed),
             nodes: Vec::new(),
@@ -78,6 +82,23 @@ impl Stimulus {
     pub fn is_past_nodes(&self) -> bool {
         self.nodes.is_empty()
     }
+}
+
+/// Zero, the ends of the subnormal and normal ranges, one, infinity and NaN, of either sign.
+fn special(format: Format) -> Vec<u32> {
+    let one = (format.bias() as u32) << format.fraction_bits();
+    let min_normal = format.min_normal();
+    let magnitudes = [
+        0,
+        1,
+        min_normal - 1,
+        min_normal,
+        one,
+        format.max_finite(),
+        format.infinity(),
+        format.canonical_nan(),
+    ];
+    magnitudes.into_iter().flat_map(|magnitude| [magnitude, magnitude | format.sign_bit()]).collect()
 }
 
 impl Iterator for Stimulus {
@@ -102,7 +123,14 @@ impl Iterator for Stimulus {
             inputs[*input] = *mode;
         }
         for &[a, b] in &self.operands {
-            let (x, y) = stream.pair();
+            // Random pairs hardly ever meet two classes that have a rule of their own, such as infinity and zero.
+            let choice = stream.bits();
+            let (x, y) = if choice & 7 == 0 {
+                let draw = |shift: u32| self.special[(choice >> shift) as usize % self.special.len()];
+                (draw(8), draw(36))
+            } else {
+                stream.pair()
+            };
             (inputs[a], inputs[b]) = (x.into(), y.into());
         }
         for (lane, ports) in self.boxes.iter().enumerate() {
