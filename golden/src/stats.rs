@@ -92,7 +92,8 @@ fn of_dst(dst: &Dst) -> TreeStatistics {
         let record = dst.record(offset, region).expect("a valid tree");
         let nodes = record.words.div_ceil(NODE_WORDS as usize);
         debug_assert!(
-            record.words % NODE_WORDS as usize == 0 || record.words as u32 % NODE_WORDS == LEAF_WORDS
+            (record.words as u32).is_multiple_of(NODE_WORDS)
+                || record.words as u32 % NODE_WORDS == LEAF_WORDS
         );
         let last_depth = depth + nodes - 1;
         sums.node_visits += sums.share_of(record.visited_half_area, nodes);

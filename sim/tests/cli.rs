@@ -262,7 +262,10 @@ fn export() {
     assert_eq!(files.len(), 7, "{files:?}");
     let verilog = String::from_utf8(work.read("rtl/fp_mul_binary16.v")).unwrap();
     assert!(verilog.contains("module fp_mul_binary16"), "{verilog}");
-    assert_eq!(work.read("rtl/fp_mul_binary16_vectors.hex").iter().filter(|&&byte| byte == b'\n').count(), 50);
+    assert_eq!(
+        work.read("rtl/fp_mul_binary16_vectors.hex").iter().filter(|&&byte| byte == b'\n').count(),
+        50
+    );
     let first = work.read("rtl/fp_mul_binary16_vectors.hex");
     work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
     assert_eq!(work.read("rtl/fp_mul_binary16_vectors.hex"), first, "the same every time");
@@ -288,6 +291,9 @@ fn wave() {
     }
     let dump = String::from_utf8(work.read("dual_split.vcd")).unwrap();
     assert!(dump.contains("sleaf "), "a ray has reached a leaf");
-    work.refused("wave --unit dual_split --scene scene.obj --out dual_split.vcd", &["dual_split.vcd", "--force"]);
+    work.refused(
+        "wave --unit dual_split --scene scene.obj --out dual_split.vcd",
+        &["dual_split.vcd", "--force"],
+    );
     work.refused("wave --unit fp_add --scene scene.obj --out x.vcd", &["fp_add", "dual_split"]);
 }
