@@ -64,7 +64,8 @@ fn cycles(top: Top) -> u64 {
     match top {
         Top::IntAdd | Top::FpAdd | Top::FpMul | Top::FpMinMax | Top::FpCmp => 20_000,
         Top::DualSplit | Top::DualSplitLean | Top::RayBox | Top::RayBoxLean => 6_000,
-        Top::RayBoxX2 | Top::RayBoxX4 | Top::RayBoxX8 | Top::SharedUnits => 2_000,
+        Top::RayBoxX2 | Top::RayBoxX4 | Top::RayBoxX8 => 2_000,
+        Top::SharedUnits => 5_000,
     }
 }
 

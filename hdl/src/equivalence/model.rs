@@ -36,6 +36,9 @@ pub struct Model {
 /// The claims in flight, the oldest first: as many as the latency in cycles.
 type Line = VecDeque<(Vec<Claim>, Option<Vec<u128>>)>;
 
+/// Whether a part exists with a routing.
+type HasMode = fn(u128) -> bool;
+
 /// A part of a top with a latency and a `valid` of its own.
 #[derive(Clone, Debug)]
 struct Function {
@@ -43,7 +46,7 @@ struct Function {
     valid_out: usize,
     tag: [usize; 2],
     /// Position of the routing, and the values of it with which this part exists.
-    mode: Option<(usize, fn(u128) -> bool)>,
+    mode: Option<(usize, HasMode)>,
     operation: Operation,
 }
 
@@ -228,7 +231,7 @@ fn shared_units(ports: &Ports, format: StandardFormat) -> Vec<(Function, usize)>
     let mode = ports.input("mode_i");
     let mut functions = Vec::new();
     for (top, valid_out, has) in [
-        (Top::DualSplit, "node_valid_o", (|mode| mode == DUAL_SPLIT_MODE) as fn(u128) -> bool),
+        (Top::DualSplit, "node_valid_o", (|mode| mode == DUAL_SPLIT_MODE) as HasMode),
         (Top::RayBox, "box_valid_o", |mode| mode == RAY_BOX_MODE),
     ] {
         let function = Function {
@@ -241,7 +244,7 @@ fn shared_units(ports: &Ports, format: StandardFormat) -> Vec<(Function, usize)>
         functions.push((function, PIPELINE_LATENCY_CYCLES));
     }
     for i in 0..SHARED_UNITS {
-        let has: fn(u128) -> bool = match i {
+        let has: HasMode = match i {
             0 | 1 => |mode| mode != RAY_BOX_MODE && mode != DUAL_SPLIT_MODE,
             2..6 => |mode| mode != RAY_BOX_MODE,
             _ => |_| true,
