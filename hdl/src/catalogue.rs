@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use golden::fp::Format;
 use rust_hdl_core::prelude::Block;
 
 use crate::formats;
@@ -128,6 +129,21 @@ names! { StandardFormat, "format",
     Binary16 = "binary16",
     E5m2 = "e5m2",
     E4m3 = "e4m3",
+}
+
+impl StandardFormat {
+    /// The widths.
+    #[must_use]
+    pub fn format(self) -> Format {
+        match self {
+            Self::Binary32 => Format::BINARY32,
+            Self::Tf32 => Format::TF32,
+            Self::Bfloat16 => Format::BFLOAT16,
+            Self::Binary16 => Format::BINARY16,
+            Self::E5m2 => Format::E5M2,
+            Self::E4m3 => Format::E4M3,
+        }
+    }
 }
 
 /// Kinds of module whose logic proofs take as a black box and synthesis may replace.

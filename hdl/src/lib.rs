@@ -31,10 +31,12 @@
 pub mod blocks;
 pub mod catalogue;
 pub mod clocking;
+pub mod equivalence;
 pub mod formats;
 pub mod module;
 pub mod netlist;
 pub mod pipelines;
 pub mod units;
 pub mod verilog;
+pub mod wave;
 mod widths;

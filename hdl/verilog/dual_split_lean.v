@@ -47,17 +47,20 @@ module ray_select (
 
     // Logic
     wire n5 = axis_i == 2'd0;
+    wire [31:0] origin_2 = n5 ? origin_x_i : origin_z_i;
     wire [31:0] inv_entry_2 = n5 ? inv_entry_x_i : inv_entry_z_i;
     wire [31:0] inv_exit_2 = n5 ? inv_exit_x_i : inv_exit_z_i;
     wire n13 = axis_i == 2'd1;
+    wire [31:0] origin = n13 ? origin_y_i : origin_2;
     wire [31:0] inv_entry = n13 ? inv_entry_y_i : inv_entry_2;
     wire [31:0] inv_exit = n13 ? inv_exit_y_i : inv_exit_2;
     wire negative = inv_entry[31];
     wire leaving = negative == min_side_i;
+    wire [31:0] inv = leaving ? inv_exit : inv_entry;
 
     // Outputs
-    assign origin_o = n13 ? origin_y_i : (n5 ? origin_x_i : origin_z_i);
-    assign inv_o = leaving ? inv_exit : inv_entry;
+    assign origin_o = origin;
+    assign inv_o = inv;
     assign negative_o = negative;
 endmodule
 
@@ -215,6 +218,8 @@ module dual_split_select (
     wire [1:0] axis_1 = dual ? (fields_kind_o[0] ? 2'd2 : 2'd1) : axis_0_2;
     wire min_side_0 = dual & fields_size_o[1];
     wire min_side_1 = ~dual | fields_size_o[0];
+    wire leaving_0 = negative_0 == side_0;
+    wire leaving_1 = negative_1 == side_1;
 
     // Next state
     always @(posedge clk_i) begin
@@ -285,13 +290,13 @@ module dual_split_select (
     delay_v2 exit_wait_0 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (negative_0 == side_0),
+        .d_i   (leaving_0),
         .q_o   (exit_wait_0_q_o)
     );
     delay_v2 exit_wait_1 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (negative_1 == side_1),
+        .d_i   (leaving_1),
         .q_o   (exit_wait_1_q_o)
     );
     delay_v3 header_wait (
@@ -345,16 +350,19 @@ module fp_unpack (
 );
 
     // Logic
-    wire [7:0] exponent = word_i[30:23];
+    wire [7:0] code = word_i[30:23];
     wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
-    wire special = exponent == 8'hff;
-    wire n10 = |exponent;
+    wire special = code == 8'hff;
+    wire [23:0] significand_1 = fraction | 24'h800000;
+    wire n9 = |code;
+    wire [7:0] exponent = n9 ? code : 8'd1;
+    wire [23:0] significand = n9 ? significand_1 : fraction;
     wire n14 = |fraction;
 
     // Outputs
     assign sign_o = word_i[31];
-    assign exponent_o = n10 ? exponent : 8'd1;
-    assign significand_o = n10 ? (fraction | 24'h800000) : fraction;
+    assign exponent_o = exponent;
+    assign significand_o = significand;
     assign nan_o = special & n14;
     assign infinity_o = special & ~n14;
 endmodule
@@ -402,11 +410,12 @@ module sticky_shift_v1 (
     wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
     wire [27:0] lost = amount_i[6] ? 28'd0 : value_7;
     wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [27:0] value = amount_i[7] ? 28'd0 : lost;
+    wire [27:0] value_9 = amount_i[7] ? 28'd0 : lost;
     wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+    wire [27:0] value = sticky ? (value_9 | 28'd1) : value_9;
 
     // Outputs
-    assign result_o = sticky ? (value | 28'd1) : value;
+    assign result_o = value;
 endmodule
 
 // rounder e8m23
@@ -442,9 +451,11 @@ module rounder (
     wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
     wire [31:0] magnitude_3 = overflow ? 32'h7f800000 : magnitude_2;
     wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
+    wire [31:0] word_2 = sign_i ? (magnitude | 32'h80000000) : magnitude;
+    wire [31:0] word = nan_i ? 32'h7fc00000 : word_2;
 
     // Outputs
-    assign result_o = nan_i ? 32'h7fc00000 : (sign_i ? (magnitude | 32'h80000000) : magnitude);
+    assign result_o = word;
 
     // Bits that nothing reads
     wire unused = &{1'b0, field_2[31:9]};
@@ -539,7 +550,7 @@ module fp_add_v1 (
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
-    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+    wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
     always @(posedge clk_i) begin
@@ -579,7 +590,7 @@ module fp_add_v1 (
         .result_o (align_result_o)
     );
     rounder rounder (
-        .sign_i        (rounder_sign_i),
+        .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
         .nan_i         (nan),
@@ -680,7 +691,7 @@ module fp_add_v2 (
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
-    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+    wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
     always @(posedge clk_i) begin
@@ -718,7 +729,7 @@ module fp_add_v2 (
         .result_o (align_result_o)
     );
     rounder rounder (
-        .sign_i        (rounder_sign_i),
+        .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
         .nan_i         (nan),
@@ -839,11 +850,12 @@ module sticky_shift_v2 (
     wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
     wire [25:0] lost = amount_i[6] ? 26'd0 : value_7;
     wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [25:0] value = amount_i[7] ? 26'd0 : lost;
+    wire [25:0] value_9 = amount_i[7] ? 26'd0 : lost;
     wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+    wire [25:0] value = sticky ? (value_9 | 26'd1) : value_9;
 
     // Outputs
-    assign result_o = sticky ? (value | 26'd1) : value;
+    assign result_o = value;
 endmodule
 
 // fp_mul e8m23_t1
@@ -1483,13 +1495,21 @@ module dual_split_fold (
     wire accept_near_valid_o;
 
     // Logic
-    wire combine_maximum_i = ~exit_0_i;
+    wire runs_down = ~exit_0_i;
     wire [31:0] route_exit = exit_0_i ? t_0_i : (exit_1_i ? t_1_i : t_max_i);
     wire [31:0] route_entry = exit_0_i ? (exit_1_i ? t_min_i : t_1_i) : t_0_i;
+    wire [31:0] latest_entry = two_entries ? combine_result_o : entry_t;
+    wire [31:0] earliest_exit = two_exits ? combine_result_o : exit_t;
+    wire [31:0] near_start = fields_carve_o ? fold_entry_result_o : t_min_7;
     wire n46 = ~carve;
     wire is_split = n46 & ~leaf;
     wire [1:0] n58 = (accept_near_le_o & accept_far_le_o) ? 2'd2 : ((accept_near_le_o | accept_far_le_o) ? 2'd1 : 2'd0);
     wire [1:0] n64 = leaf ? ((n46 | accept_near_le_o) ? 2'd3 : 2'd0) : (accept_near_le_o ? 2'd1 : 2'd0);
+    wire [1:0] code = is_split ? n58 : n64;
+    wire [31:0] near_offset = (is_split & (accept_near_le_o == downward_q_o)) ? second_offset_sum_o : first_offset;
+    wire [31:0] near_t_min = (carve | (is_split & ~accept_near_le_o)) ? lower : t_min_8;
+    wire [31:0] near_t_max = (carve | (is_split & accept_near_le_o)) ? upper : t_max_8;
+    wire [31:0] far_offset = downward_q_o ? first_offset : second_offset_sum_o;
 
     // Next state
     always @(posedge clk_i) begin
@@ -1497,7 +1517,7 @@ module dual_split_fold (
             exit_t <= route_exit;
             entry_t <= route_entry;
             two_exits <= exit_0_i & exit_1_i;
-            two_entries <= combine_maximum_i & ~exit_1_i;
+            two_entries <= runs_down & ~exit_1_i;
             t_min_6 <= t_min_i;
             t_max_6 <= t_max_i;
             t_min_7 <= t_min_6;
@@ -1519,7 +1539,7 @@ module dual_split_fold (
         .valid_i   (valid_i),
         .a_i       (t_0_i),
         .b_i       (t_1_i),
-        .maximum_i (combine_maximum_i),
+        .maximum_i (runs_down),
         .valid_o   (combine_valid_o),
         .result_o  (combine_result_o)
     );
@@ -1528,7 +1548,7 @@ module dual_split_fold (
         .en_i     (en_i),
         .valid_i  (combine_valid_o),
         .a_i      (t_min_6),
-        .b_i      (two_entries ? combine_result_o : entry_t),
+        .b_i      (latest_entry),
         .valid_o  (fold_entry_valid_o),
         .result_o (fold_entry_result_o)
     );
@@ -1536,7 +1556,7 @@ module dual_split_fold (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (t_max_6),
-        .b_i      (two_exits ? combine_result_o : exit_t),
+        .b_i      (earliest_exit),
         .result_o (fold_exit_result_o)
     );
     delay_v4 header_wait (
@@ -1548,14 +1568,14 @@ module dual_split_fold (
     delay_v5 downward (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (combine_maximum_i),
+        .d_i   (runs_down),
         .q_o   (downward_q_o)
     );
     fp_cmp_v1 accept_near (
         .clk_i   (clk_i),
         .en_i    (en_i),
         .valid_i (fold_entry_valid_o),
-        .a_i     (fields_carve_o ? fold_entry_result_o : t_min_7),
+        .a_i     (near_start),
         .b_i     (fold_exit_result_o),
         .valid_o (accept_near_valid_o),
         .le_o    (accept_near_le_o)
@@ -1584,11 +1604,11 @@ module dual_split_fold (
 
     // Outputs
     assign valid_o = accept_near_valid_o;
-    assign code_o = is_split ? n58 : n64;
-    assign near_offset_o = (is_split & (accept_near_le_o == downward_q_o)) ? second_offset_sum_o : first_offset;
-    assign near_t_min_o = (carve | (is_split & ~accept_near_le_o)) ? lower : t_min_8;
-    assign near_t_max_o = (carve | (is_split & accept_near_le_o)) ? upper : t_max_8;
-    assign far_offset_o = downward_q_o ? first_offset : second_offset_sum_o;
+    assign code_o = code;
+    assign near_offset_o = near_offset;
+    assign near_t_min_o = near_t_min;
+    assign near_t_max_o = near_t_max;
+    assign far_offset_o = far_offset;
     assign far_t_min_o = lower;
     assign far_t_max_o = t_max_8;
 endmodule

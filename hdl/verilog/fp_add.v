@@ -21,16 +21,19 @@ module fp_unpack (
 );
 
     // Logic
-    wire [7:0] exponent = word_i[30:23];
+    wire [7:0] code = word_i[30:23];
     wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
-    wire special = exponent == 8'hff;
-    wire n10 = |exponent;
+    wire special = code == 8'hff;
+    wire [23:0] significand_1 = fraction | 24'h800000;
+    wire n9 = |code;
+    wire [7:0] exponent = n9 ? code : 8'd1;
+    wire [23:0] significand = n9 ? significand_1 : fraction;
     wire n14 = |fraction;
 
     // Outputs
     assign sign_o = word_i[31];
-    assign exponent_o = n10 ? exponent : 8'd1;
-    assign significand_o = n10 ? (fraction | 24'h800000) : fraction;
+    assign exponent_o = exponent;
+    assign significand_o = significand;
     assign nan_o = special & n14;
     assign infinity_o = special & ~n14;
 endmodule
@@ -78,11 +81,12 @@ module sticky_shift (
     wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
     wire [27:0] lost = amount_i[6] ? 28'd0 : value_7;
     wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [27:0] value = amount_i[7] ? 28'd0 : lost;
+    wire [27:0] value_9 = amount_i[7] ? 28'd0 : lost;
     wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+    wire [27:0] value = sticky ? (value_9 | 28'd1) : value_9;
 
     // Outputs
-    assign result_o = sticky ? (value | 28'd1) : value;
+    assign result_o = value;
 endmodule
 
 // rounder e8m23
@@ -126,9 +130,11 @@ module rounder (
     wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
     wire [31:0] magnitude_3 = overflow ? (to_infinity ? 32'h7f800000 : 32'h7f7fffff) : magnitude_2;
     wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
+    wire [31:0] word_2 = sign_i ? (magnitude | 32'h80000000) : magnitude;
+    wire [31:0] word = nan_i ? 32'h7fc00000 : word_2;
 
     // Outputs
-    assign result_o = nan_i ? 32'h7fc00000 : (sign_i ? (magnitude | 32'h80000000) : magnitude);
+    assign result_o = word;
 
     // Bits that nothing reads
     wire unused = &{1'b0, field_2[31:9]};
@@ -227,7 +233,7 @@ module fp_add (
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
-    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+    wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
     always @(posedge clk_i) begin
@@ -270,7 +276,7 @@ module fp_add (
         .result_o (align_result_o)
     );
     rounder rounder (
-        .sign_i        (rounder_sign_i),
+        .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
         .nan_i         (nan),

@@ -91,41 +91,49 @@ module ray_box_select (
     wire [31:0] t_min_wait_q_o;
     wire [31:0] t_max_wait_q_o;
 
+    // Logic
+    wire [31:0] inv_low_0 = inv_entry_x_i[31] ? inv_exit_x_i : inv_entry_x_i;
+    wire [31:0] inv_high_0 = inv_entry_x_i[31] ? inv_entry_x_i : inv_exit_x_i;
+    wire [31:0] inv_low_1 = inv_entry_y_i[31] ? inv_exit_y_i : inv_entry_y_i;
+    wire [31:0] inv_high_1 = inv_entry_y_i[31] ? inv_entry_y_i : inv_exit_y_i;
+    wire [31:0] inv_low_2 = inv_entry_z_i[31] ? inv_exit_z_i : inv_entry_z_i;
+    wire [31:0] inv_high_2 = inv_entry_z_i[31] ? inv_entry_z_i : inv_exit_z_i;
+
     // Instances
     delay_v1 inv_wait_0 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_x_i[31] ? inv_exit_x_i : inv_entry_x_i),
+        .d_i   (inv_low_0),
         .q_o   (inv_wait_0_q_o)
     );
     delay_v1 inv_wait_1 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_y_i[31] ? inv_exit_y_i : inv_entry_y_i),
+        .d_i   (inv_low_1),
         .q_o   (inv_wait_1_q_o)
     );
     delay_v1 inv_wait_2 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_z_i[31] ? inv_exit_z_i : inv_entry_z_i),
+        .d_i   (inv_low_2),
         .q_o   (inv_wait_2_q_o)
     );
     delay_v1 inv_wait_3 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_x_i[31] ? inv_entry_x_i : inv_exit_x_i),
+        .d_i   (inv_high_0),
         .q_o   (inv_wait_3_q_o)
     );
     delay_v1 inv_wait_4 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_y_i[31] ? inv_entry_y_i : inv_exit_y_i),
+        .d_i   (inv_high_1),
         .q_o   (inv_wait_4_q_o)
     );
     delay_v1 inv_wait_5 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_z_i[31] ? inv_entry_z_i : inv_exit_z_i),
+        .d_i   (inv_high_2),
         .q_o   (inv_wait_5_q_o)
     );
     delay_v2 t_min_wait (
@@ -169,16 +177,19 @@ module fp_unpack (
 );
 
     // Logic
-    wire [7:0] exponent = word_i[30:23];
+    wire [7:0] code = word_i[30:23];
     wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
-    wire special = exponent == 8'hff;
-    wire n10 = |exponent;
+    wire special = code == 8'hff;
+    wire [23:0] significand_1 = fraction | 24'h800000;
+    wire n9 = |code;
+    wire [7:0] exponent = n9 ? code : 8'd1;
+    wire [23:0] significand = n9 ? significand_1 : fraction;
     wire n14 = |fraction;
 
     // Outputs
     assign sign_o = word_i[31];
-    assign exponent_o = n10 ? exponent : 8'd1;
-    assign significand_o = n10 ? (fraction | 24'h800000) : fraction;
+    assign exponent_o = exponent;
+    assign significand_o = significand;
     assign nan_o = special & n14;
     assign infinity_o = special & ~n14;
 endmodule
@@ -226,11 +237,12 @@ module sticky_shift_v1 (
     wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
     wire [27:0] lost = amount_i[6] ? 28'd0 : value_7;
     wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [27:0] value = amount_i[7] ? 28'd0 : lost;
+    wire [27:0] value_9 = amount_i[7] ? 28'd0 : lost;
     wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+    wire [27:0] value = sticky ? (value_9 | 28'd1) : value_9;
 
     // Outputs
-    assign result_o = sticky ? (value | 28'd1) : value;
+    assign result_o = value;
 endmodule
 
 // rounder e8m23
@@ -266,9 +278,11 @@ module rounder (
     wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
     wire [31:0] magnitude_3 = overflow ? 32'h7f800000 : magnitude_2;
     wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
+    wire [31:0] word_2 = sign_i ? (magnitude | 32'h80000000) : magnitude;
+    wire [31:0] word = nan_i ? 32'h7fc00000 : word_2;
 
     // Outputs
-    assign result_o = nan_i ? 32'h7fc00000 : (sign_i ? (magnitude | 32'h80000000) : magnitude);
+    assign result_o = word;
 
     // Bits that nothing reads
     wire unused = &{1'b0, field_2[31:9]};
@@ -363,7 +377,7 @@ module fp_add_v1 (
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
-    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+    wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
     always @(posedge clk_i) begin
@@ -403,7 +417,7 @@ module fp_add_v1 (
         .result_o (align_result_o)
     );
     rounder rounder (
-        .sign_i        (rounder_sign_i),
+        .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
         .nan_i         (nan),
@@ -504,7 +518,7 @@ module fp_add_v2 (
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
-    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+    wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
     always @(posedge clk_i) begin
@@ -542,7 +556,7 @@ module fp_add_v2 (
         .result_o (align_result_o)
     );
     rounder rounder (
-        .sign_i        (rounder_sign_i),
+        .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
         .nan_i         (nan),
@@ -663,11 +677,12 @@ module sticky_shift_v2 (
     wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
     wire [25:0] lost = amount_i[6] ? 26'd0 : value_7;
     wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [25:0] value = amount_i[7] ? 26'd0 : lost;
+    wire [25:0] value_9 = amount_i[7] ? 26'd0 : lost;
     wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+    wire [25:0] value = sticky ? (value_9 | 26'd1) : value_9;
 
     // Outputs
-    assign result_o = sticky ? (value | 26'd1) : value;
+    assign result_o = value;
 endmodule
 
 // fp_mul e8m23_t1
@@ -1314,12 +1329,15 @@ module ray_box_fold (
     wire [31:0] exit_half_0_result_o;
     wire [31:0] exit_half_1_result_o;
     wire entry_valid_o;
-    wire [31:0] leave_result_o;
-    wire [31:0] t_min_wait_q_o;
     wire [31:0] entry_result_o;
+    wire [31:0] leave_result_o;
     wire accept_0_le_o;
+    wire [31:0] t_min_wait_q_o;
     wire accept_1_lt_o;
     wire accept_0_valid_o;
+
+    // Logic
+    wire hit = accept_0_le_o & ~accept_1_lt_o;
 
     // Next state
     always @(posedge clk_i) begin
@@ -1444,7 +1462,7 @@ module ray_box_fold (
 
     // Outputs
     assign valid_o = accept_0_valid_o;
-    assign hit_o = accept_0_le_o & ~accept_1_lt_o;
+    assign hit_o = hit;
     assign t_entry_o = t_entry;
 endmodule
 

@@ -21,16 +21,19 @@ module fp_unpack (
 );
 
     // Logic
-    wire [7:0] exponent = word_i[30:23];
+    wire [7:0] code = word_i[30:23];
     wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
-    wire special = exponent == 8'hff;
-    wire n10 = |exponent;
+    wire special = code == 8'hff;
+    wire [23:0] significand_1 = fraction | 24'h800000;
+    wire n9 = |code;
+    wire [7:0] exponent = n9 ? code : 8'd1;
+    wire [23:0] significand = n9 ? significand_1 : fraction;
     wire n14 = |fraction;
 
     // Outputs
     assign sign_o = word_i[31];
-    assign exponent_o = n10 ? exponent : 8'd1;
-    assign significand_o = n10 ? (fraction | 24'h800000) : fraction;
+    assign exponent_o = exponent;
+    assign significand_o = significand;
     assign nan_o = special & n14;
     assign infinity_o = special & ~n14;
 endmodule
@@ -78,11 +81,12 @@ module sticky_shift_v1 (
     wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
     wire [27:0] lost = amount_i[6] ? 28'd0 : value_7;
     wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [27:0] value = amount_i[7] ? 28'd0 : lost;
+    wire [27:0] value_9 = amount_i[7] ? 28'd0 : lost;
     wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+    wire [27:0] value = sticky ? (value_9 | 28'd1) : value_9;
 
     // Outputs
-    assign result_o = sticky ? (value | 28'd1) : value;
+    assign result_o = value;
 endmodule
 
 // rounder e8m23
@@ -118,9 +122,11 @@ module rounder (
     wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
     wire [31:0] magnitude_3 = overflow ? 32'h7f800000 : magnitude_2;
     wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
+    wire [31:0] word_2 = sign_i ? (magnitude | 32'h80000000) : magnitude;
+    wire [31:0] word = nan_i ? 32'h7fc00000 : word_2;
 
     // Outputs
-    assign result_o = nan_i ? 32'h7fc00000 : (sign_i ? (magnitude | 32'h80000000) : magnitude);
+    assign result_o = word;
 
     // Bits that nothing reads
     wire unused = &{1'b0, field_2[31:9]};
@@ -218,7 +224,7 @@ module fp_add (
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
-    wire rounder_sign_i = (~(|sum) & ~infinity) ? zero_sign : sign;
+    wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
     always @(posedge clk_i) begin
@@ -260,7 +266,7 @@ module fp_add (
         .result_o (align_result_o)
     );
     rounder rounder (
-        .sign_i        (rounder_sign_i),
+        .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
         .nan_i         (nan),
@@ -383,11 +389,12 @@ module sticky_shift_v2 (
     wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
     wire [25:0] lost = amount_i[6] ? 26'd0 : value_7;
     wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [25:0] value = amount_i[7] ? 26'd0 : lost;
+    wire [25:0] value_9 = amount_i[7] ? 26'd0 : lost;
     wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
+    wire [25:0] value = sticky ? (value_9 | 26'd1) : value_9;
 
     // Outputs
-    assign result_o = sticky ? (value | 26'd1) : value;
+    assign result_o = value;
 endmodule
 
 // fp_mul e8m23_t1
@@ -623,41 +630,49 @@ module ray_box_select (
     wire [31:0] t_min_wait_q_o;
     wire [31:0] t_max_wait_q_o;
 
+    // Logic
+    wire [31:0] inv_low_0 = inv_entry_x_i[31] ? inv_exit_x_i : inv_entry_x_i;
+    wire [31:0] inv_high_0 = inv_entry_x_i[31] ? inv_entry_x_i : inv_exit_x_i;
+    wire [31:0] inv_low_1 = inv_entry_y_i[31] ? inv_exit_y_i : inv_entry_y_i;
+    wire [31:0] inv_high_1 = inv_entry_y_i[31] ? inv_entry_y_i : inv_exit_y_i;
+    wire [31:0] inv_low_2 = inv_entry_z_i[31] ? inv_exit_z_i : inv_entry_z_i;
+    wire [31:0] inv_high_2 = inv_entry_z_i[31] ? inv_entry_z_i : inv_exit_z_i;
+
     // Instances
     delay_v1 inv_wait_0 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_x_i[31] ? inv_exit_x_i : inv_entry_x_i),
+        .d_i   (inv_low_0),
         .q_o   (inv_wait_0_q_o)
     );
     delay_v1 inv_wait_1 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_y_i[31] ? inv_exit_y_i : inv_entry_y_i),
+        .d_i   (inv_low_1),
         .q_o   (inv_wait_1_q_o)
     );
     delay_v1 inv_wait_2 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_z_i[31] ? inv_exit_z_i : inv_entry_z_i),
+        .d_i   (inv_low_2),
         .q_o   (inv_wait_2_q_o)
     );
     delay_v1 inv_wait_3 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_x_i[31] ? inv_entry_x_i : inv_exit_x_i),
+        .d_i   (inv_high_0),
         .q_o   (inv_wait_3_q_o)
     );
     delay_v1 inv_wait_4 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_y_i[31] ? inv_entry_y_i : inv_exit_y_i),
+        .d_i   (inv_high_1),
         .q_o   (inv_wait_4_q_o)
     );
     delay_v1 inv_wait_5 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (inv_entry_z_i[31] ? inv_entry_z_i : inv_exit_z_i),
+        .d_i   (inv_high_2),
         .q_o   (inv_wait_5_q_o)
     );
     delay_v2 t_min_wait (
@@ -1055,12 +1070,15 @@ module ray_box_fold (
     wire [31:0] exit_half_0_result_o;
     wire [31:0] exit_half_1_result_o;
     wire entry_valid_o;
-    wire [31:0] leave_result_o;
-    wire [31:0] t_min_wait_q_o;
     wire [31:0] entry_result_o;
+    wire [31:0] leave_result_o;
     wire accept_0_le_o;
+    wire [31:0] t_min_wait_q_o;
     wire accept_1_lt_o;
     wire accept_0_valid_o;
+
+    // Logic
+    wire hit = accept_0_le_o & ~accept_1_lt_o;
 
     // Next state
     always @(posedge clk_i) begin
@@ -1185,7 +1203,7 @@ module ray_box_fold (
 
     // Outputs
     assign valid_o = accept_0_valid_o;
-    assign hit_o = accept_0_le_o & ~accept_1_lt_o;
+    assign hit_o = hit;
     assign t_entry_o = t_entry;
 endmodule
 
@@ -1233,17 +1251,20 @@ module ray_select (
 
     // Logic
     wire n5 = axis_i == 2'd0;
+    wire [31:0] origin_2 = n5 ? origin_x_i : origin_z_i;
     wire [31:0] inv_entry_2 = n5 ? inv_entry_x_i : inv_entry_z_i;
     wire [31:0] inv_exit_2 = n5 ? inv_exit_x_i : inv_exit_z_i;
     wire n13 = axis_i == 2'd1;
+    wire [31:0] origin = n13 ? origin_y_i : origin_2;
     wire [31:0] inv_entry = n13 ? inv_entry_y_i : inv_entry_2;
     wire [31:0] inv_exit = n13 ? inv_exit_y_i : inv_exit_2;
     wire negative = inv_entry[31];
     wire leaving = negative == min_side_i;
+    wire [31:0] inv = leaving ? inv_exit : inv_entry;
 
     // Outputs
-    assign origin_o = n13 ? origin_y_i : (n5 ? origin_x_i : origin_z_i);
-    assign inv_o = leaving ? inv_exit : inv_entry;
+    assign origin_o = origin;
+    assign inv_o = inv;
     assign inv_entry_o = inv_entry;
     assign negative_o = negative;
 endmodule
@@ -1411,6 +1432,8 @@ module dual_split_select (
     wire min_side_1 = ~dual | fields_size_o[0];
     wire runs_down_0 = role_0_lt_o | negative_0;
     wire runs_down_1 = role_1_lt_o | negative_1;
+    wire leaving_0 = runs_down_0 == side_0;
+    wire leaving_1 = runs_down_1 == side_1;
 
     // Next state
     always @(posedge clk_i) begin
@@ -1495,13 +1518,13 @@ module dual_split_select (
     delay_v4 exit_wait_0 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (runs_down_0 == side_0),
+        .d_i   (leaving_0),
         .q_o   (exit_wait_0_q_o)
     );
     delay_v4 exit_wait_1 (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (runs_down_1 == side_1),
+        .d_i   (leaving_1),
         .q_o   (exit_wait_1_q_o)
     );
     delay_v2 header_wait (
@@ -1749,13 +1772,21 @@ module dual_split_fold (
     wire accept_near_valid_o;
 
     // Logic
-    wire combine_maximum_i = ~exit_0_i;
+    wire runs_down = ~exit_0_i;
     wire [31:0] route_exit = exit_0_i ? t_0_i : (exit_1_i ? t_1_i : t_max_i);
     wire [31:0] route_entry = exit_0_i ? (exit_1_i ? t_min_i : t_1_i) : t_0_i;
+    wire [31:0] latest_entry = two_entries ? combine_result_o : entry_t;
+    wire [31:0] earliest_exit = two_exits ? combine_result_o : exit_t;
+    wire [31:0] near_start = fields_carve_o ? fold_entry_result_o : t_min_7;
     wire n46 = ~carve;
     wire is_split = n46 & ~leaf;
     wire [1:0] n58 = (accept_near_le_o & accept_far_le_o) ? 2'd2 : ((accept_near_le_o | accept_far_le_o) ? 2'd1 : 2'd0);
     wire [1:0] n64 = leaf ? ((n46 | accept_near_le_o) ? 2'd3 : 2'd0) : (accept_near_le_o ? 2'd1 : 2'd0);
+    wire [1:0] code = is_split ? n58 : n64;
+    wire [31:0] near_offset = (is_split & (accept_near_le_o == downward_q_o)) ? second_offset_sum_o : first_offset;
+    wire [31:0] near_t_min = (carve | (is_split & ~accept_near_le_o)) ? lower : t_min_8;
+    wire [31:0] near_t_max = (carve | (is_split & accept_near_le_o)) ? upper : t_max_8;
+    wire [31:0] far_offset = downward_q_o ? first_offset : second_offset_sum_o;
 
     // Next state
     always @(posedge clk_i) begin
@@ -1763,7 +1794,7 @@ module dual_split_fold (
             exit_t <= route_exit;
             entry_t <= route_entry;
             two_exits <= exit_0_i & exit_1_i;
-            two_entries <= combine_maximum_i & ~exit_1_i;
+            two_entries <= runs_down & ~exit_1_i;
             t_min_6 <= t_min_i;
             t_max_6 <= t_max_i;
             t_min_7 <= t_min_6;
@@ -1785,7 +1816,7 @@ module dual_split_fold (
         .valid_i   (valid_i),
         .a_i       (t_0_i),
         .b_i       (t_1_i),
-        .maximum_i (combine_maximum_i),
+        .maximum_i (runs_down),
         .valid_o   (combine_valid_o),
         .result_o  (combine_result_o)
     );
@@ -1794,7 +1825,7 @@ module dual_split_fold (
         .en_i     (en_i),
         .valid_i  (combine_valid_o),
         .a_i      (t_min_6),
-        .b_i      (two_entries ? combine_result_o : entry_t),
+        .b_i      (latest_entry),
         .valid_o  (fold_entry_valid_o),
         .result_o (fold_entry_result_o)
     );
@@ -1802,7 +1833,7 @@ module dual_split_fold (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (t_max_6),
-        .b_i      (two_exits ? combine_result_o : exit_t),
+        .b_i      (earliest_exit),
         .result_o (fold_exit_result_o)
     );
     delay_v1 header_wait (
@@ -1814,14 +1845,14 @@ module dual_split_fold (
     delay_v5 downward (
         .clk_i (clk_i),
         .en_i  (en_i),
-        .d_i   (combine_maximum_i),
+        .d_i   (runs_down),
         .q_o   (downward_q_o)
     );
     fp_cmp_v1 accept_near (
         .clk_i   (clk_i),
         .en_i    (en_i),
         .valid_i (fold_entry_valid_o),
-        .a_i     (fields_carve_o ? fold_entry_result_o : t_min_7),
+        .a_i     (near_start),
         .b_i     (fold_exit_result_o),
         .valid_o (accept_near_valid_o),
         .le_o    (accept_near_le_o)
@@ -1850,11 +1881,11 @@ module dual_split_fold (
 
     // Outputs
     assign valid_o = accept_near_valid_o;
-    assign code_o = is_split ? n58 : n64;
-    assign near_offset_o = (is_split & (accept_near_le_o == downward_q_o)) ? second_offset_sum_o : first_offset;
-    assign near_t_min_o = (carve | (is_split & ~accept_near_le_o)) ? lower : t_min_8;
-    assign near_t_max_o = (carve | (is_split & accept_near_le_o)) ? upper : t_max_8;
-    assign far_offset_o = downward_q_o ? first_offset : second_offset_sum_o;
+    assign code_o = code;
+    assign near_offset_o = near_offset;
+    assign near_t_min_o = near_t_min;
+    assign near_t_max_o = near_t_max;
+    assign far_offset_o = far_offset;
     assign far_t_min_o = lower;
     assign far_t_max_o = t_max_8;
 endmodule
@@ -2058,41 +2089,54 @@ module shared_units (
 
     // Outputs of instances
     wire add_0_valid_o;
-    wire add_0_tag_o;
     wire [31:0] add_0_result_o;
-    wire mul_0_valid_o;
-    wire mul_0_tag_o;
+    wire [31:0] box_select_inv_o_0_o;
     wire [31:0] mul_0_result_o;
     wire add_1_valid_o;
-    wire add_1_tag_o;
     wire [31:0] add_1_result_o;
-    wire mul_1_valid_o;
-    wire mul_1_tag_o;
+    wire [31:0] box_select_inv_o_1_o;
     wire [31:0] mul_1_result_o;
     wire add_2_valid_o;
-    wire add_2_tag_o;
     wire [31:0] add_2_result_o;
-    wire mul_2_valid_o;
-    wire mul_2_tag_o;
+    wire [31:0] box_select_inv_o_2_o;
     wire [31:0] mul_2_result_o;
     wire add_3_valid_o;
-    wire add_3_tag_o;
     wire [31:0] add_3_result_o;
-    wire mul_3_valid_o;
-    wire mul_3_tag_o;
+    wire [31:0] box_select_inv_o_3_o;
     wire [31:0] mul_3_result_o;
     wire add_4_valid_o;
-    wire add_4_tag_o;
     wire [31:0] add_4_result_o;
-    wire mul_4_valid_o;
-    wire mul_4_tag_o;
+    wire [31:0] box_select_inv_o_4_o;
     wire [31:0] mul_4_result_o;
     wire add_5_valid_o;
-    wire add_5_tag_o;
     wire [31:0] add_5_result_o;
+    wire [31:0] box_select_inv_o_5_o;
+    wire [31:0] mul_5_result_o;
+    wire node_select_valid_o;
+    wire [31:0] node_select_plane_o_0_o;
+    wire [31:0] node_select_origin_o_0_o;
+    wire [31:0] node_select_inv_o_0_o;
+    wire [31:0] node_select_plane_o_1_o;
+    wire [31:0] node_select_origin_o_1_o;
+    wire [31:0] node_select_inv_o_1_o;
+    wire add_0_tag_o;
+    wire mul_0_valid_o;
+    wire mul_0_tag_o;
+    wire add_1_tag_o;
+    wire mul_1_valid_o;
+    wire mul_1_tag_o;
+    wire add_2_tag_o;
+    wire mul_2_valid_o;
+    wire mul_2_tag_o;
+    wire add_3_tag_o;
+    wire mul_3_valid_o;
+    wire mul_3_tag_o;
+    wire add_4_tag_o;
+    wire mul_4_valid_o;
+    wire mul_4_tag_o;
+    wire add_5_tag_o;
     wire mul_5_valid_o;
     wire mul_5_tag_o;
-    wire [31:0] mul_5_result_o;
     wire add_6_valid_o;
     wire add_6_tag_o;
     wire [31:0] add_6_result_o;
@@ -2105,19 +2149,6 @@ module shared_units (
     wire mul_7_valid_o;
     wire mul_7_tag_o;
     wire [31:0] mul_7_result_o;
-    wire [31:0] box_select_inv_o_0_o;
-    wire [31:0] box_select_inv_o_1_o;
-    wire [31:0] box_select_inv_o_2_o;
-    wire [31:0] box_select_inv_o_3_o;
-    wire [31:0] box_select_inv_o_4_o;
-    wire [31:0] box_select_inv_o_5_o;
-    wire node_select_valid_o;
-    wire [31:0] node_select_plane_o_0_o;
-    wire [31:0] node_select_origin_o_0_o;
-    wire [31:0] node_select_inv_o_0_o;
-    wire [31:0] node_select_plane_o_1_o;
-    wire [31:0] node_select_origin_o_1_o;
-    wire [31:0] node_select_inv_o_1_o;
     wire [31:0] box_select_t_min_o;
     wire [31:0] box_select_t_max_o;
     wire node_select_exit_o_0_o;
@@ -2141,30 +2172,75 @@ module shared_units (
     // Logic
     wire ray_box = mode_i == 2'd1;
     wire dual_split = mode_i == 2'd2;
-    wire n149 = mode_i != 2'd1;
-    wire n213 = mode_i != 2'd2;
-    wire add_0_valid_i = dual_split ? node_select_valid_o : (ray_box ? valid_i : add_valid_i_0_i);
-    wire [31:0] add_0_a_i = dual_split ? node_select_plane_o_0_o : (ray_box ? box_min_x_i : add_a_i_0_i);
-    wire [31:0] add_0_b_i = dual_split ? node_select_origin_o_0_o : (ray_box ? origin_x_i : add_b_i_0_i);
-    wire mul_0_valid_i = dual_split ? add_0_valid_o : (ray_box ? add_0_valid_o : mul_valid_i_0_i);
-    wire [31:0] mul_0_a_i = dual_split ? add_0_result_o : (ray_box ? add_0_result_o : mul_a_i_0_i);
-    wire [31:0] mul_0_b_i = dual_split ? node_select_inv_o_0_o : (ray_box ? box_select_inv_o_0_o : mul_b_i_0_i);
-    wire add_1_valid_i = dual_split ? node_select_valid_o : (ray_box ? valid_i : add_valid_i_1_i);
-    wire [31:0] add_1_a_i = dual_split ? node_select_plane_o_1_o : (ray_box ? box_min_y_i : add_a_i_1_i);
-    wire [31:0] add_1_b_i = dual_split ? node_select_origin_o_1_o : (ray_box ? origin_y_i : add_b_i_1_i);
-    wire mul_1_valid_i = dual_split ? add_1_valid_o : (ray_box ? add_1_valid_o : mul_valid_i_1_i);
-    wire [31:0] mul_1_a_i = dual_split ? add_1_result_o : (ray_box ? add_1_result_o : mul_a_i_1_i);
-    wire [31:0] mul_1_b_i = dual_split ? node_select_inv_o_1_o : (ray_box ? box_select_inv_o_1_o : mul_b_i_1_i);
+    wire n87 = mode_i != 2'd1;
+    wire add_valid_0_2 = ray_box ? valid_i : add_valid_i_0_i;
+    wire [31:0] add_a_0_2 = ray_box ? box_min_x_i : add_a_i_0_i;
+    wire [31:0] add_b_0_2 = ray_box ? origin_x_i : add_b_i_0_i;
+    wire add_subtract_0_2 = ray_box | add_subtract_i_0_i;
+    wire mul_valid_0_2 = ray_box ? add_0_valid_o : mul_valid_i_0_i;
+    wire [31:0] mul_a_0_2 = ray_box ? add_0_result_o : mul_a_i_0_i;
+    wire [31:0] mul_b_0_2 = ray_box ? box_select_inv_o_0_o : mul_b_i_0_i;
+    wire add_valid_1_2 = ray_box ? valid_i : add_valid_i_1_i;
+    wire [31:0] add_a_1_2 = ray_box ? box_min_y_i : add_a_i_1_i;
+    wire [31:0] add_b_1_2 = ray_box ? origin_y_i : add_b_i_1_i;
+    wire add_subtract_1_2 = ray_box | add_subtract_i_1_i;
+    wire mul_valid_1_2 = ray_box ? add_1_valid_o : mul_valid_i_1_i;
+    wire [31:0] mul_a_1_2 = ray_box ? add_1_result_o : mul_a_i_1_i;
+    wire [31:0] mul_b_1_2 = ray_box ? box_select_inv_o_1_o : mul_b_i_1_i;
+    wire add_valid_2 = ray_box ? valid_i : add_valid_i_2_i;
+    wire [31:0] add_a_2 = ray_box ? box_min_z_i : add_a_i_2_i;
+    wire [31:0] add_b_2 = ray_box ? origin_z_i : add_b_i_2_i;
+    wire add_subtract_2 = ray_box | add_subtract_i_2_i;
+    wire mul_valid_2 = ray_box ? add_2_valid_o : mul_valid_i_2_i;
+    wire [31:0] mul_a_2 = ray_box ? add_2_result_o : mul_a_i_2_i;
+    wire [31:0] mul_b_2 = ray_box ? box_select_inv_o_2_o : mul_b_i_2_i;
+    wire add_valid_3 = ray_box ? valid_i : add_valid_i_3_i;
+    wire [31:0] add_a_3 = ray_box ? box_max_x_i : add_a_i_3_i;
+    wire [31:0] add_b_3 = ray_box ? origin_x_i : add_b_i_3_i;
+    wire add_subtract_3 = ray_box | add_subtract_i_3_i;
+    wire mul_valid_3 = ray_box ? add_3_valid_o : mul_valid_i_3_i;
+    wire [31:0] mul_a_3 = ray_box ? add_3_result_o : mul_a_i_3_i;
+    wire [31:0] mul_b_3 = ray_box ? box_select_inv_o_3_o : mul_b_i_3_i;
+    wire add_valid_4 = ray_box ? valid_i : add_valid_i_4_i;
+    wire [31:0] add_a_4 = ray_box ? box_max_y_i : add_a_i_4_i;
+    wire [31:0] add_b_4 = ray_box ? origin_y_i : add_b_i_4_i;
+    wire add_subtract_4 = ray_box | add_subtract_i_4_i;
+    wire mul_valid_4 = ray_box ? add_4_valid_o : mul_valid_i_4_i;
+    wire [31:0] mul_a_4 = ray_box ? add_4_result_o : mul_a_i_4_i;
+    wire [31:0] mul_b_4 = ray_box ? box_select_inv_o_4_o : mul_b_i_4_i;
+    wire add_valid_5 = ray_box ? valid_i : add_valid_i_5_i;
+    wire [31:0] add_a_5 = ray_box ? box_max_z_i : add_a_i_5_i;
+    wire [31:0] add_b_5 = ray_box ? origin_z_i : add_b_i_5_i;
+    wire add_subtract_5 = ray_box | add_subtract_i_5_i;
+    wire mul_valid_5 = ray_box ? add_5_valid_o : mul_valid_i_5_i;
+    wire [31:0] mul_a_5 = ray_box ? add_5_result_o : mul_a_i_5_i;
+    wire [31:0] mul_b_5 = ray_box ? box_select_inv_o_5_o : mul_b_i_5_i;
+    wire taken_0 = dual_split | ray_box;
+    wire add_valid_0 = dual_split ? node_select_valid_o : add_valid_0_2;
+    wire [31:0] add_a_0 = dual_split ? node_select_plane_o_0_o : add_a_0_2;
+    wire [31:0] add_b_0 = dual_split ? node_select_origin_o_0_o : add_b_0_2;
+    wire add_subtract_0 = dual_split | add_subtract_0_2;
+    wire mul_valid_0 = dual_split ? add_0_valid_o : mul_valid_0_2;
+    wire [31:0] mul_a_0 = dual_split ? add_0_result_o : mul_a_0_2;
+    wire [31:0] mul_b_0 = dual_split ? node_select_inv_o_0_o : mul_b_0_2;
+    wire add_valid_1 = dual_split ? node_select_valid_o : add_valid_1_2;
+    wire [31:0] add_a_1 = dual_split ? node_select_plane_o_1_o : add_a_1_2;
+    wire [31:0] add_b_1 = dual_split ? node_select_origin_o_1_o : add_b_1_2;
+    wire add_subtract_1 = dual_split | add_subtract_1_2;
+    wire mul_valid_1 = dual_split ? add_1_valid_o : mul_valid_1_2;
+    wire [31:0] mul_a_1 = dual_split ? add_1_result_o : mul_a_1_2;
+    wire [31:0] mul_b_1 = dual_split ? node_select_inv_o_1_o : mul_b_1_2;
+    wire n174 = ~taken_0;
 
     // Instances
     fp_add add_0 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (add_0_valid_i),
+        .valid_i    (add_valid_0),
         .tag_i      (add_tag_i_0_i),
-        .a_i        (add_0_a_i),
-        .b_i        (add_0_b_i),
-        .subtract_i (dual_split | (ray_box | add_subtract_i_0_i)),
+        .a_i        (add_a_0),
+        .b_i        (add_b_0),
+        .subtract_i (add_subtract_0),
         .valid_o    (add_0_valid_o),
         .tag_o      (add_0_tag_o),
         .result_o   (add_0_result_o)
@@ -2172,11 +2248,11 @@ module shared_units (
     fp_add add_1 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (add_1_valid_i),
+        .valid_i    (add_valid_1),
         .tag_i      (add_tag_i_1_i),
-        .a_i        (add_1_a_i),
-        .b_i        (add_1_b_i),
-        .subtract_i (dual_split | (ray_box | add_subtract_i_1_i)),
+        .a_i        (add_a_1),
+        .b_i        (add_b_1),
+        .subtract_i (add_subtract_1),
         .valid_o    (add_1_valid_o),
         .tag_o      (add_1_tag_o),
         .result_o   (add_1_result_o)
@@ -2184,11 +2260,11 @@ module shared_units (
     fp_add add_2 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (ray_box ? valid_i : add_valid_i_2_i),
+        .valid_i    (add_valid_2),
         .tag_i      (add_tag_i_2_i),
-        .a_i        (ray_box ? box_min_z_i : add_a_i_2_i),
-        .b_i        (ray_box ? origin_z_i : add_b_i_2_i),
-        .subtract_i (ray_box | add_subtract_i_2_i),
+        .a_i        (add_a_2),
+        .b_i        (add_b_2),
+        .subtract_i (add_subtract_2),
         .valid_o    (add_2_valid_o),
         .tag_o      (add_2_tag_o),
         .result_o   (add_2_result_o)
@@ -2196,11 +2272,11 @@ module shared_units (
     fp_add add_3 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (ray_box ? valid_i : add_valid_i_3_i),
+        .valid_i    (add_valid_3),
         .tag_i      (add_tag_i_3_i),
-        .a_i        (ray_box ? box_max_x_i : add_a_i_3_i),
-        .b_i        (ray_box ? origin_x_i : add_b_i_3_i),
-        .subtract_i (ray_box | add_subtract_i_3_i),
+        .a_i        (add_a_3),
+        .b_i        (add_b_3),
+        .subtract_i (add_subtract_3),
         .valid_o    (add_3_valid_o),
         .tag_o      (add_3_tag_o),
         .result_o   (add_3_result_o)
@@ -2208,11 +2284,11 @@ module shared_units (
     fp_add add_4 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (ray_box ? valid_i : add_valid_i_4_i),
+        .valid_i    (add_valid_4),
         .tag_i      (add_tag_i_4_i),
-        .a_i        (ray_box ? box_max_y_i : add_a_i_4_i),
-        .b_i        (ray_box ? origin_y_i : add_b_i_4_i),
-        .subtract_i (ray_box | add_subtract_i_4_i),
+        .a_i        (add_a_4),
+        .b_i        (add_b_4),
+        .subtract_i (add_subtract_4),
         .valid_o    (add_4_valid_o),
         .tag_o      (add_4_tag_o),
         .result_o   (add_4_result_o)
@@ -2220,11 +2296,11 @@ module shared_units (
     fp_add add_5 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (ray_box ? valid_i : add_valid_i_5_i),
+        .valid_i    (add_valid_5),
         .tag_i      (add_tag_i_5_i),
-        .a_i        (ray_box ? box_max_z_i : add_a_i_5_i),
-        .b_i        (ray_box ? origin_z_i : add_b_i_5_i),
-        .subtract_i (ray_box | add_subtract_i_5_i),
+        .a_i        (add_a_5),
+        .b_i        (add_b_5),
+        .subtract_i (add_subtract_5),
         .valid_o    (add_5_valid_o),
         .tag_o      (add_5_tag_o),
         .result_o   (add_5_result_o)
@@ -2256,10 +2332,10 @@ module shared_units (
     fp_mul mul_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (mul_0_valid_i),
+        .valid_i  (mul_valid_0),
         .tag_i    (mul_tag_i_0_i),
-        .a_i      (mul_0_a_i),
-        .b_i      (mul_0_b_i),
+        .a_i      (mul_a_0),
+        .b_i      (mul_b_0),
         .valid_o  (mul_0_valid_o),
         .tag_o    (mul_0_tag_o),
         .result_o (mul_0_result_o)
@@ -2267,10 +2343,10 @@ module shared_units (
     fp_mul mul_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (mul_1_valid_i),
+        .valid_i  (mul_valid_1),
         .tag_i    (mul_tag_i_1_i),
-        .a_i      (mul_1_a_i),
-        .b_i      (mul_1_b_i),
+        .a_i      (mul_a_1),
+        .b_i      (mul_b_1),
         .valid_o  (mul_1_valid_o),
         .tag_o    (mul_1_tag_o),
         .result_o (mul_1_result_o)
@@ -2278,10 +2354,10 @@ module shared_units (
     fp_mul mul_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (ray_box ? add_2_valid_o : mul_valid_i_2_i),
+        .valid_i  (mul_valid_2),
         .tag_i    (mul_tag_i_2_i),
-        .a_i      (ray_box ? add_2_result_o : mul_a_i_2_i),
-        .b_i      (ray_box ? box_select_inv_o_2_o : mul_b_i_2_i),
+        .a_i      (mul_a_2),
+        .b_i      (mul_b_2),
         .valid_o  (mul_2_valid_o),
         .tag_o    (mul_2_tag_o),
         .result_o (mul_2_result_o)
@@ -2289,10 +2365,10 @@ module shared_units (
     fp_mul mul_3 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (ray_box ? add_3_valid_o : mul_valid_i_3_i),
+        .valid_i  (mul_valid_3),
         .tag_i    (mul_tag_i_3_i),
-        .a_i      (ray_box ? add_3_result_o : mul_a_i_3_i),
-        .b_i      (ray_box ? box_select_inv_o_3_o : mul_b_i_3_i),
+        .a_i      (mul_a_3),
+        .b_i      (mul_b_3),
         .valid_o  (mul_3_valid_o),
         .tag_o    (mul_3_tag_o),
         .result_o (mul_3_result_o)
@@ -2300,10 +2376,10 @@ module shared_units (
     fp_mul mul_4 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (ray_box ? add_4_valid_o : mul_valid_i_4_i),
+        .valid_i  (mul_valid_4),
         .tag_i    (mul_tag_i_4_i),
-        .a_i      (ray_box ? add_4_result_o : mul_a_i_4_i),
-        .b_i      (ray_box ? box_select_inv_o_4_o : mul_b_i_4_i),
+        .a_i      (mul_a_4),
+        .b_i      (mul_b_4),
         .valid_o  (mul_4_valid_o),
         .tag_o    (mul_4_tag_o),
         .result_o (mul_4_result_o)
@@ -2311,10 +2387,10 @@ module shared_units (
     fp_mul mul_5 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (ray_box ? add_5_valid_o : mul_valid_i_5_i),
+        .valid_i  (mul_valid_5),
         .tag_i    (mul_tag_i_5_i),
-        .a_i      (ray_box ? add_5_result_o : mul_a_i_5_i),
-        .b_i      (ray_box ? box_select_inv_o_5_o : mul_b_i_5_i),
+        .a_i      (mul_a_5),
+        .b_i      (mul_b_5),
         .valid_o  (mul_5_valid_o),
         .tag_o    (mul_5_tag_o),
         .result_o (mul_5_result_o)
@@ -2436,12 +2512,12 @@ module shared_units (
     );
 
     // Outputs
-    assign add_valid_o_0_o = n213 & (n149 & add_0_valid_o);
-    assign add_valid_o_1_o = n213 & (n149 & add_1_valid_o);
-    assign add_valid_o_2_o = n149 & add_2_valid_o;
-    assign add_valid_o_3_o = n149 & add_3_valid_o;
-    assign add_valid_o_4_o = n149 & add_4_valid_o;
-    assign add_valid_o_5_o = n149 & add_5_valid_o;
+    assign add_valid_o_0_o = add_0_valid_o & n174;
+    assign add_valid_o_1_o = add_1_valid_o & n174;
+    assign add_valid_o_2_o = add_2_valid_o & n87;
+    assign add_valid_o_3_o = add_3_valid_o & n87;
+    assign add_valid_o_4_o = add_4_valid_o & n87;
+    assign add_valid_o_5_o = add_5_valid_o & n87;
     assign add_valid_o_6_o = add_6_valid_o;
     assign add_valid_o_7_o = add_7_valid_o;
     assign add_tag_o_0_o = add_0_tag_o;
@@ -2460,12 +2536,12 @@ module shared_units (
     assign add_result_o_5_o = add_5_result_o;
     assign add_result_o_6_o = add_6_result_o;
     assign add_result_o_7_o = add_7_result_o;
-    assign mul_valid_o_0_o = n213 & (n149 & mul_0_valid_o);
-    assign mul_valid_o_1_o = n213 & (n149 & mul_1_valid_o);
-    assign mul_valid_o_2_o = n149 & mul_2_valid_o;
-    assign mul_valid_o_3_o = n149 & mul_3_valid_o;
-    assign mul_valid_o_4_o = n149 & mul_4_valid_o;
-    assign mul_valid_o_5_o = n149 & mul_5_valid_o;
+    assign mul_valid_o_0_o = mul_0_valid_o & n174;
+    assign mul_valid_o_1_o = mul_1_valid_o & n174;
+    assign mul_valid_o_2_o = mul_2_valid_o & n87;
+    assign mul_valid_o_3_o = mul_3_valid_o & n87;
+    assign mul_valid_o_4_o = mul_4_valid_o & n87;
+    assign mul_valid_o_5_o = mul_5_valid_o & n87;
     assign mul_valid_o_6_o = mul_6_valid_o;
     assign mul_valid_o_7_o = mul_7_valid_o;
     assign mul_tag_o_0_o = mul_0_tag_o;

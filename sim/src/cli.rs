@@ -6,6 +6,7 @@ use golden::Mode;
 use golden::build::Quality;
 use golden::render::Test;
 use golden::structure::StructureKind;
+use hdl::catalogue::{StandardFormat, Top};
 use sim::picture::heatmap::Quantity;
 use std::path::PathBuf;
 
@@ -27,7 +28,7 @@ pub struct Global {
     /// Print one JSON document instead of tables.
     #[arg(long, global = true)]
     pub json: bool,
-    /// Seed of the built-in scenes and of the renderer's samples.
+    /// Seed of the built-in scenes, of the renderer's samples and of the checks' stimulus.
     #[arg(long, global = true, default_value_t = 0, value_name = "N")]
     pub seed: u64,
     /// Number of threads; results do not depend on it [default: all processors].
@@ -52,6 +53,12 @@ pub enum Command {
     Compare(CompareArgs),
     /// Print the traversal of one pixel's primary ray step by step, in the dual-split tree and in the BVH2.
     Explain(ExplainArgs),
+    /// Compare the hardware's netlist with the specification, cycle by cycle; exit code 1 if anything differs.
+    Check(CheckArgs),
+    /// Write Verilog with testbenches, vectors and scripts.
+    Export(ExportArgs),
+    /// Write a waveform of rays in the hardware.
+    Wave(WaveArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -211,6 +218,57 @@ pub struct ExplainArgs {
 }
 
 #[derive(Args, Debug)]
+pub struct CheckArgs {
+    /// The unit or pipeline [default: all].
+    #[arg(long, value_name = "UNIT", value_parser = unit())]
+    pub unit: Option<Top>,
+    /// Cycles to run through each, stalls and bubbles included.
+    #[arg(long, default_value_t = 10_000, value_name = "N")]
+    pub vectors: u64,
+}
+
+#[derive(Args, Debug)]
+pub struct ExportArgs {
+    /// The folder to write; one that this command made before is written anew.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// The number format of the modules.
+    #[arg(long, default_value = "binary32", value_name = "FORMAT", value_parser = format())]
+    pub format: StandardFormat,
+    /// The unit or pipeline [default: all].
+    #[arg(long, value_name = "UNIT", value_parser = unit())]
+    pub unit: Option<Top>,
+    /// Cycles in each testbench.
+    #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub vectors: u32,
+    /// Clock period of the timing constraint in nanoseconds.
+    #[arg(long, default_value_t = 1.0, value_name = "NS")]
+    pub period_ns: f64,
+}
+
+#[derive(Args, Debug)]
+pub struct WaveArgs {
+    /// The pipeline: dual_split, dual_split_lean, ray_box or ray_box_lean.
+    #[arg(long, value_name = "UNIT", value_parser = unit())]
+    pub unit: Top,
+    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    #[arg(long)]
+    pub scene: String,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    /// Number of rays, from the camera towards vertices spread over the mesh.
+    #[arg(long, default_value_t = 4, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub rays: u32,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// The waveform, a VCD file.
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
 pub struct ReproduceArgs {
     /// smoke: minute scenes and pictures, seconds; quick: small ones, under two minutes on two cores.
     #[arg(long, default_value = "quick", value_parser = ["smoke", "quick"])]
@@ -235,6 +293,16 @@ fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
 ) -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(all.map(name))
         .map(move |chosen| all.into_iter().find(|x| name(*x) == chosen).expect("a possible value"))
+}
+
+fn unit() -> impl TypedValueParser<Value = Top> {
+    PossibleValuesParser::new(Top::ALL.iter().map(|top| top.name()))
+        .map(|chosen| chosen.parse().expect("a possible value"))
+}
+
+fn format() -> impl TypedValueParser<Value = StandardFormat> {
+    PossibleValuesParser::new(StandardFormat::ALL.iter().map(|format| format.name()))
+        .map(|chosen| chosen.parse().expect("a possible value"))
 }
 
 fn structure() -> impl TypedValueParser<Value = StructureKind> {

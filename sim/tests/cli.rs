@@ -271,3 +271,56 @@ fn a_closed_pipe_is_no_panic() {
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }
+
+#[test]
+fn check() {
+    let work = Workplace::new();
+    let document = work.json("check --unit fp_add --vectors 500 --seed 7");
+    let units = document["units"].as_array().unwrap();
+    assert_eq!(units.len(), 1);
+    has_keys(&units[0], &["name", "vectors", "mismatches", "vectors_per_second", "classes"]);
+    assert_eq!(units[0]["name"], "fp_add");
+    assert_eq!(units[0]["mismatches"], 0);
+    assert!(units[0]["vectors"].as_u64().unwrap() > 300);
+    let text = String::from_utf8(work.run("check --unit fp_cmp --vectors 100").stdout).unwrap();
+    assert!(text.contains("| fp_cmp") && text.contains("NaN operand"), "{text}");
+    work.refused("check --unit fp_div", &["fp_div", "fp_add"]);
+}
+
+#[test]
+fn export() {
+    let work = Workplace::new();
+    let document = work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
+    let files = document["files"].as_array().unwrap();
+    assert_eq!(files.len(), 7, "{files:?}");
+    let verilog = String::from_utf8(work.read("rtl/fp_mul_binary16.v")).unwrap();
+    assert!(verilog.contains("module fp_mul_binary16"), "{verilog}");
+    assert_eq!(work.read("rtl/fp_mul_binary16_vectors.hex").iter().filter(|&&byte| byte == b'\n').count(), 50);
+    let first = work.read("rtl/fp_mul_binary16_vectors.hex");
+    work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
+    assert_eq!(work.read("rtl/fp_mul_binary16_vectors.hex"), first, "the same every time");
+    std::fs::create_dir(work.path("mine")).unwrap();
+    work.write("mine/note", b"mine");
+    work.refused("export --out mine --unit fp_mul", &["mine", "--force"]);
+    work.refused("export --out x --format binary64", &["binary64", "binary32"]);
+}
+
+#[test]
+fn wave() {
+    let work = Workplace::new();
+    for unit in ["dual_split", "ray_box"] {
+        let out = format!("{unit}.vcd");
+        let document = work.json(&format!("wave --unit {unit} --scene scene.obj --rays 2 --out {out}"));
+        has_keys(&document, &["unit", "rays", "operations", "cycles"]);
+        assert!(document["operations"].as_u64().unwrap() >= 2);
+        let dump = String::from_utf8(work.read(&out)).unwrap();
+        for words in ["$timescale 1 ns", &format!("$scope module {unit}"), "clk_i", "$enddefinitions"] {
+            assert!(dump.contains(words), "{words}");
+        }
+        assert_eq!(dump.contains("header_i_text"), unit == "dual_split");
+    }
+    let dump = String::from_utf8(work.read("dual_split.vcd")).unwrap();
+    assert!(dump.contains("sleaf "), "a ray has reached a leaf");
+    work.refused("wave --unit dual_split --scene scene.obj --out dual_split.vcd", &["dual_split.vcd", "--force"]);
+    work.refused("wave --unit fp_add --scene scene.obj --out x.vcd", &["fp_add", "dual_split"]);
+}

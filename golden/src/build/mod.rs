@@ -167,19 +167,20 @@ pub fn build(mesh: &Mesh, options: &BuildOptions) -> Result<BinaryTree, BuildErr
 }
 
 fn triangle_boxes(mesh: &Mesh) -> Result<Vec<Bounds>, BuildError> {
+    check_mesh(mesh)?;
+    let corner = |index: u32| mesh.positions[index as usize];
+    Ok(mesh.triangles.par_iter().map(|triangle| Bounds::of_triangle(triangle.map(corner))).collect())
+}
+
+/// Whether a tree can be built over `mesh`.
+pub(crate) fn check_mesh(mesh: &Mesh) -> Result<(), BuildError> {
     match mesh.triangles.len() {
         0 => return Err(BuildError::NoTriangles),
         triangles if triangles > MAX_TRIANGLES => return Err(BuildError::TooManyTriangles { triangles }),
         _ => {}
     }
-    let triangles = mesh.triangles.par_iter();
-    match triangles.clone().enumerate().find_map_first(|(i, t)| check_triangle(mesh, i, t).err()) {
-        Some(error) => Err(error),
-        None => {
-            let corner = |index: u32| mesh.positions[index as usize];
-            Ok(triangles.map(|triangle| Bounds::of_triangle(triangle.map(corner))).collect())
-        }
-    }
+    let triangles = mesh.triangles.par_iter().enumerate();
+    triangles.find_map_first(|(i, t)| check_triangle(mesh, i, t).err()).map_or(Ok(()), Err)
 }
 
 fn check_triangle(mesh: &Mesh, triangle: usize, indices: &[u32; 3]) -> Result<(), BuildError> {

@@ -150,7 +150,7 @@ fn halves(parent: &Aabb, axis: usize, left: &Aabb, right: &Aabb) -> [Aabb; 2] {
 }
 
 /// How a node is split and its halves carved.
-struct Plan {
+pub(super) struct Plan {
     axis: usize,
     /// Which child is the left one, which the right one.
     order: [usize; 2],
@@ -158,7 +158,12 @@ struct Plan {
 }
 
 impl Plan {
-    fn best(parent: &Aabb, boxes: &[Aabb; 2]) -> Plan {
+    /// Expected visits of carve nodes, times the area of the parent.
+    pub(super) fn cost(&self) -> f64 {
+        self.chains[0].cost + self.chains[1].cost
+    }
+
+    pub(super) fn best(parent: &Aabb, boxes: &[Aabb; 2]) -> Plan {
         let mut best: Option<(f64, Plan)> = None;
         for axis in 0..3 {
             let centre = |b: &Aabb| f64::from(b.min[axis]) + f64::from(b.max[axis]);

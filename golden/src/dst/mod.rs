@@ -1,10 +1,12 @@
 //! Dual-split trees: node format, traversal step, conversion from a binary hierarchy, proof of validity.
 
+mod build;
 mod convert;
 pub mod header;
 mod step;
 mod validate;
 
+pub use build::build_for_dst;
 pub use convert::MAX_CARVES;
 pub use step::{Child, Code, Step, step};
 pub use validate::{DstDefect, End, Record};

@@ -45,6 +45,15 @@ pub enum Change {
     Exchange(String),
     /// Another value of the same width is taken instead.
     Replace(String),
+    /// Some bits are taken from another value of the same width.
+    TakeBits {
+        /// The other value.
+        other: String,
+        /// Position of the lowest bit taken.
+        low: u32,
+        /// Number of bits.
+        count: u32,
+    },
     /// A register passes its data through: one cycle less.
     Bypass,
     /// It arrives one cycle later.
@@ -67,6 +76,9 @@ impl fmt::Display for Mutation {
             Change::Increment => write!(f, "{module}.{value}: one too many"),
             Change::Exchange(other) => write!(f, "{module}.{value}: exchanged with {other}"),
             Change::Replace(other) => write!(f, "{module}.{value}: {other} instead"),
+            Change::TakeBits { other, low, count } => {
+                write!(f, "{module}.{value}: {count} bits from {low} of {other} instead")
+            }
             Change::Bypass => write!(f, "{module}.{value}: register missing"),
             Change::Delay => write!(f, "{module}.{value}: one register too many"),
             Change::IgnoreEnable => write!(f, "{module}.{value}: enable ignored"),
@@ -196,6 +208,17 @@ fn apply_to(module: &Module, target: NodeId, mutation: &Mutation) -> Result<Modu
         }
         Change::Replace(name) => {
             rebuild.substitutes.insert(target, Substitute::Value(other(name)?));
+        }
+        Change::TakeBits { other: name, low, count } => {
+            let kept = mask(width) & !(mask(*count) << low);
+            let (target_node, other_node) = (rebuild.original(target)?, other(name)?);
+            let other_node = rebuild.original(other_node)?;
+            let graph = &mut rebuild.graph;
+            let (kept, taken) = (graph.constant(kept, width), graph.constant(mask(width) & !kept, width));
+            let left = graph.binary(BinaryOp::And, target_node, kept);
+            let right = graph.binary(BinaryOp::And, other_node, taken);
+            let spliced = graph.binary(BinaryOp::Or, left, right);
+            rebuild.substitutes.insert(target, Substitute::New(spliced));
         }
         Change::Bypass => {
             let data = module.registers[register_of(target)?].data;

@@ -13,6 +13,8 @@ mod scripts;
 pub mod testbench;
 
 use std::fmt::Write;
+use std::io;
+use std::path::{Path, PathBuf};
 
 pub use identifier::{Namespace, PortNames, plain, port_names};
 pub use readme::readme;
@@ -99,4 +101,26 @@ pub fn package(
         file(".core", fusesoc_core(design)),
         file(".md", readme(design, &inventory(design)?, options.description)),
     ])
+}
+
+/// Writes the files of an export into a folder, which is made if missing. Each file is written under a temporary name
+/// and then renamed, so that a reader never sees half of one.
+///
+/// # Errors
+/// When the folder or a file cannot be written; the message names it.
+pub fn write_files(folder: &Path, files: &[GeneratedFile]) -> io::Result<Vec<PathBuf>> {
+    let named = |path: &Path| {
+        let path = path.display().to_string();
+        move |error: io::Error| io::Error::new(error.kind(), format!("{path}: {error}"))
+    };
+    std::fs::create_dir_all(folder).map_err(named(folder))?;
+    let mut written = Vec::with_capacity(files.len());
+    for file in files {
+        let path = folder.join(&file.name);
+        let unfinished = folder.join(format!("{}.part", file.name));
+        std::fs::write(&unfinished, &file.contents).map_err(named(&unfinished))?;
+        std::fs::rename(&unfinished, &path).map_err(named(&path))?;
+        written.push(path);
+    }
+    Ok(written)
 }

@@ -7,6 +7,7 @@ mod modules;
 mod mutating;
 mod random;
 mod support;
+#[path = "../../../tests/src/tools.rs"]
 mod tools;
 mod units;
 mod verilog;

@@ -10,7 +10,7 @@ use std::path::Path;
 
 const VECTORS: u64 = 2000;
 
-fn write_package(design: &Design, vectors: u64, folder: &Path) {
+pub fn write_package(design: &Design, vectors: u64, folder: &Path) {
     let inputs = &design.top().inputs;
     let stimulus: Vec<Vec<u128>> = (0..vectors)
         .map(|cycle| inputs.iter().enumerate().map(|(i, port)| stimulus(cycle, i, port.width)).collect())

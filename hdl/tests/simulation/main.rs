@@ -12,5 +12,5 @@ mod two_cycle_units;
 mod support {
     pub mod harness;
     pub mod oracles;
-    pub mod steps;
+    pub use hdl::equivalence::cases as steps;
 }

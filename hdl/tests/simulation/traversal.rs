@@ -68,10 +68,7 @@ fn traverse(dst: &Dst, rays: &[TraversalRay]) -> (Vec<Vec<Leaf>>, usize) {
         let next = waiting.pop();
         pipeline.handshake(true, next.is_some(), 0);
         if let Some(Visit { ray, offset, t_min, t_max }) = next {
-            let TraversalRay { origin, inv_entry, inv_exit, .. } = rays[ray];
-            let bits = |words: [f32; 3]| words.map(f32::to_bits);
-            let (origin, inv_entry, inv_exit) = (bits(origin), bits(inv_entry), bits(inv_exit));
-            let ray = RayWords { origin, inv_entry, inv_exit, t_min, t_max };
+            let ray = RayWords::new(&rays[ray], f32::from_bits(t_min), f32::from_bits(t_max));
             pipeline.drive(&NodeCase { words: dst.node(offset), ray });
             visits += 1;
         }

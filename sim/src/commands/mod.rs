@@ -1,12 +1,15 @@
 //! One file for each command.
 
+mod check;
 mod compare;
 mod explain;
+mod export;
 mod render;
 mod reproduce;
 mod scenes;
 mod trace;
 mod tree;
+mod wave;
 mod work;
 
 use crate::cli::{Cli, Command, ReproduceArgs};
@@ -28,6 +31,9 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Render(args)) => render::run(args, global),
         Some(Command::Compare(args)) => compare::run(args, global),
         Some(Command::Explain(args)) => explain::run(args, global),
+        Some(Command::Check(args)) => check::run(args, global),
+        Some(Command::Export(args)) => export::run(args, global),
+        Some(Command::Wave(args)) => wave::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

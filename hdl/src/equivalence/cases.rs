@@ -1,32 +1,42 @@
-//! Nodes, boxes and rays for the pipeline tests, with golden's answers.
+//! Nodes, boxes and rays for the pipelines, with golden's answers: from a seed, or from real traversals.
 
 use golden::bvh::box_step;
-use golden::dst::{Code, Step, step};
+use golden::dst::{Code, Dst, Step, step};
 use golden::fp::Format;
 use golden::fp::operands::Operands;
+use golden::traverse::{NoObserver, closest_by_steps};
 use golden::{Aabb, Mode, Ray, TraversalRay};
 
 /// The ray's part of a pipeline's inputs, as bit patterns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayWords {
+    /// Origin.
     pub origin: [u32; 3],
+    /// Reciprocals of the direction for entry planes.
     pub inv_entry: [u32; 3],
+    /// Reciprocals of the direction for exit planes.
     pub inv_exit: [u32; 3],
+    /// Start of the interval.
     pub t_min: u32,
+    /// End of the interval.
     pub t_max: u32,
 }
 
 /// What a dual-split pipeline is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeCase {
+    /// The node's three words.
     pub words: [u32; 3],
+    /// The ray.
     pub ray: RayWords,
 }
 
 /// What a ray-box pipeline is given: planes min x, y, z, max x, y, z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxCase {
+    /// The planes.
     pub planes: [u32; 6],
+    /// The ray.
     pub ray: RayWords,
 }
 
@@ -38,6 +48,7 @@ pub type Outcome = (u8, Option<Slot>, Option<Slot>);
 
 impl NodeCase {
     /// What golden makes of it.
+    #[must_use]
     pub fn golden(&self) -> Outcome {
         let ray = self.ray.traversal_ray();
         let Step { code, near, far } =
@@ -48,7 +59,16 @@ impl NodeCase {
 }
 
 impl BoxCase {
+    /// The test of a box with the whole of a prepared ray.
+    #[must_use]
+    pub fn new(bounds: &Aabb, ray: &TraversalRay) -> Self {
+        let corner = |i: usize| if i < 3 { bounds.min[i] } else { bounds.max[i - 3] };
+        let planes = std::array::from_fn(|i| corner(i).to_bits());
+        Self { planes, ray: RayWords::new(ray, ray.t_min, ray.t_max) }
+    }
+
     /// Hit, and entry distance if so.
+    #[must_use]
     pub fn golden(&self) -> (bool, Option<u32>) {
         let plane = |i: usize| f32::from_bits(self.planes[i]);
         let bounds = Aabb { min: [plane(0), plane(1), plane(2)], max: [plane(3), plane(4), plane(5)] };
@@ -59,6 +79,19 @@ impl BoxCase {
 }
 
 impl RayWords {
+    /// The words of a prepared ray with the part `t_min..=t_max` of it.
+    #[must_use]
+    pub fn new(ray: &TraversalRay, t_min: f32, t_max: f32) -> Self {
+        let bits = |words: [f32; 3]| words.map(f32::to_bits);
+        Self {
+            origin: bits(ray.origin),
+            inv_entry: bits(ray.inv_entry),
+            inv_exit: bits(ray.inv_exit),
+            t_min: t_min.to_bits(),
+            t_max: t_max.to_bits(),
+        }
+    }
+
     fn traversal_ray(&self) -> TraversalRay {
         let mut ray = TraversalRay::new(&Ray::new([0.0; 3], [1.0; 3]), Mode::Fast).expect("a valid ray");
         ray.origin = self.origin.map(f32::from_bits);
@@ -68,16 +101,33 @@ impl RayWords {
     }
 }
 
+/// Every node that golden's search for the closest hits of `rays` visits, in order.
+#[must_use]
+pub fn visited_nodes<'r>(dst: &Dst, rays: impl IntoIterator<Item = &'r TraversalRay>) -> Vec<NodeCase> {
+    let mut nodes = Vec::new();
+    for ray in rays {
+        closest_by_steps(dst, ray, &mut NoObserver, |words, ray, t_min, t_max| {
+            nodes.push(NodeCase { words, ray: RayWords::new(ray, t_min, t_max) });
+            step(words, ray, t_min, t_max)
+        });
+    }
+    nodes
+}
+
 /// Endless cases, equal for equal seeds: half from plausible geometry, half with any bits at any place.
+#[derive(Clone, Debug)]
 pub struct Cases {
     stream: Operands,
 }
 
 impl Cases {
+    /// The cases of `seed`.
+    #[must_use]
     pub fn new(seed: u64) -> Self {
         Self { stream: Operands::new(Format::BINARY32, seed) }
     }
 
+    /// 64 uniform bits.
     pub fn bits(&mut self) -> u64 {
         self.stream.bits()
     }
@@ -145,6 +195,7 @@ impl Cases {
         }
     }
 
+    /// A node of any type, reserved codes included.
     pub fn node(&mut self) -> NodeCase {
         let mut ray = self.ray();
         let words = [self.bits() as u32, self.plane(), self.plane()];
@@ -152,6 +203,7 @@ impl Cases {
         NodeCase { words, ray }
     }
 
+    /// A box; one in eight may have crossed planes.
     pub fn bounds(&mut self) -> BoxCase {
         let mut ray = self.ray();
         let mut planes = [(); 6].map(|()| self.plane());

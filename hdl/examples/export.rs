@@ -1,0 +1,37 @@
+//! Writes one top as Verilog with testbench, vectors and scripts:
+//! `cargo run -p hdl --example export -- fp_add out 10000`.
+
+use std::error::Error;
+use std::path::Path;
+
+use hdl::catalogue::{StandardFormat, Top};
+use hdl::verilog::{PackageOptions, package, write_files};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let top: Top = arguments.next().unwrap_or_else(|| "fp_add".into()).parse()?;
+    let folder = arguments.next().unwrap_or_else(|| "out".into());
+    let vectors: u64 = arguments.next().unwrap_or_else(|| "1000".into()).parse()?;
+
+    let design = top.design(StandardFormat::Binary32)?;
+    let inputs = &design.top().inputs;
+    let stimulus: Vec<Vec<u128>> =
+        (0..vectors).map(|cycle| (0u64..).zip(inputs).map(|(i, _)| random(cycle, i)).collect()).collect();
+    let options = PackageOptions { description: "An example export.", period_ns: 1.0 };
+    for path in write_files(Path::new(&folder), &package(&design, &options, &stimulus)?)? {
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+/// 128 random bits; every input takes as many as it has.
+fn random(cycle: u64, input: u64) -> u128 {
+    let mut state = cycle.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ input.wrapping_mul(0xd134_2543_de82_ef95);
+    let mut next = || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    };
+    u128::from(next()) << 64 | u128::from(next())
+}
