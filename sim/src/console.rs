@@ -8,7 +8,7 @@ use std::io::{self, Write};
 
 /// What a command has to say.
 pub struct Report {
-    json: serde_json::Value,
+    json: String,
     text: String,
     /// Whether a check found a difference.
     pub difference: bool,
@@ -20,13 +20,13 @@ impl Report {
     /// # Panics
     /// If `json` has no JSON form, which is a mistake of the caller.
     pub fn new(json: &impl Serialize, text: String) -> Self {
-        let json = serde_json::to_value(json).expect("results have string keys");
+        let json = serde_json::to_string_pretty(json).expect("results have string keys");
         Self { json, text, difference: false }
     }
 
     /// The document or the text, ending in a line break.
     pub fn render(&self, json: bool) -> String {
-        let mut out = if json { format!("{:#}", self.json) } else { self.text.clone() };
+        let mut out = if json { self.json.clone() } else { self.text.clone() };
         if !out.ends_with('\n') {
             out.push('\n');
         }

@@ -72,6 +72,11 @@ pub fn set_view(scene: &mut Scene, args: &ViewArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// `path` as result files name it; what is not Unicode in it is replaced.
+pub fn display(path: &Path) -> String {
+    path.display().to_string()
+}
+
 /// Refuses early what writing `path` would refuse after all the work: no folder, or a file that is to be kept.
 pub fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<()> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());

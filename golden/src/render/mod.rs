@@ -37,6 +37,9 @@ pub const ALBEDO: f64 = 0.7;
 /// The greatest width and height of an image.
 pub const MAX_SIDE: u32 = 16_384;
 
+/// The greatest number of pixels, about 4 GiB of results.
+pub const MAX_PIXELS: u32 = 1 << 26;
+
 /// The greatest number of samples per pixel, the length of the sample sequence.
 pub const MAX_SAMPLES: u32 = 1 << 16;
 
@@ -83,7 +86,7 @@ impl fmt::Display for Test {
 pub struct RenderOptions {
     /// Which test.
     pub test: Test,
-    /// Width of the image in pixels, 1 to [`MAX_SIDE`].
+    /// Width of the image in pixels, 1 to [`MAX_SIDE`]; width times height is at most [`MAX_PIXELS`].
     pub width: u32,
     /// Height of the image in pixels, 1 to [`MAX_SIDE`].
     pub height: u32,
@@ -123,8 +126,8 @@ impl RenderOptions {
 /// Why nothing is rendered.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RenderError {
-    /// A side of the image is out of range.
-    #[error("size {width}x{height}: each side must be 1 to {MAX_SIDE} pixels")]
+    /// The image is too small or too large.
+    #[error("size {width}x{height}: each side must be 1 to {MAX_SIDE} pixels, and all at most {MAX_PIXELS}")]
     Size {
         /// Width in pixels.
         width: u32,
@@ -166,7 +169,8 @@ pub fn render<S: Trace>(
     rows_done: impl Fn(u64) + Sync,
 ) -> Result<Rendering, RenderError> {
     let RenderOptions { width, height, samples, .. } = *options;
-    if !(1..=MAX_SIDE).contains(&width) || !(1..=MAX_SIDE).contains(&height) {
+    let sides = 1..=MAX_SIDE;
+    if !sides.contains(&width) || !sides.contains(&height) || width * height > MAX_PIXELS {
         return Err(RenderError::Size { width, height });
     }
     if !(1..=MAX_SAMPLES).contains(&samples) {

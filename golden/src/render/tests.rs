@@ -173,7 +173,7 @@ fn options_out_of_range() {
     let structure = structure(&scene, StructureKind::Bvh2);
     let good = RenderOptions::new(Test::Path, 8, 8);
     let error = |scene: &Scene, options| render(&structure, scene, &options, |_| {}).unwrap_err();
-    for (width, height) in [(0, 8), (8, 0), (MAX_SIDE + 1, 8)] {
+    for (width, height) in [(0, 8), (8, 0), (MAX_SIDE + 1, 8), (8192, 8193)] {
         let bad = RenderOptions { width, height, ..good };
         assert_eq!(error(&scene, bad), RenderError::Size { width, height });
     }

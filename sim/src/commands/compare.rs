@@ -2,19 +2,18 @@
 
 use crate::cli::{CompareArgs, Global};
 use crate::console::Report;
-use crate::input::check_writable;
+use crate::input::{check_writable, display};
 use anyhow::{Context, ensure};
 use scenes::output::write_file;
 use serde::Serialize;
 use sim::picture::difference::Difference;
 use sim::picture::{self, Format, exr, heatmap, png};
-use std::path::PathBuf;
 
 /// Infinite numbers are `null`.
 #[derive(Serialize)]
 struct Document {
-    a: PathBuf,
-    b: PathBuf,
+    a: String,
+    b: String,
     width: u32,
     height: u32,
     rmse: f64,
@@ -22,7 +21,7 @@ struct Document {
     peak: f64,
     max_abs: f64,
     differing_pixels: u64,
-    out: Option<PathBuf>,
+    out: Option<String>,
 }
 
 pub fn run(args: &CompareArgs, global: &Global) -> anyhow::Result<Report> {
@@ -47,8 +46,8 @@ pub fn run(args: &CompareArgs, global: &Global) -> anyhow::Result<Report> {
         write_file(out, global.force, |file| file.write_all(&bytes))?;
     }
     let document = Document {
-        a: args.a.clone(),
-        b: args.b.clone(),
+        a: display(&args.a),
+        b: display(&args.b),
         width: a.width,
         height: a.height,
         rmse: difference.rmse,
@@ -56,7 +55,7 @@ pub fn run(args: &CompareArgs, global: &Global) -> anyhow::Result<Report> {
         peak: difference.peak,
         max_abs: difference.max_abs,
         differing_pixels: difference.differing_pixels,
-        out: args.out.clone(),
+        out: args.out.as_deref().map(display),
     };
     let text = format!(
         "RMSE {:.6e}\nPSNR {:.2} dB, peak {}\nlargest difference {:.6e}\ndiffering pixels {} of {}",

@@ -3,7 +3,7 @@
 use super::work::{ClassRow, class_table};
 use crate::cli::{Global, RenderArgs, quality_name};
 use crate::console::{Report, progress};
-use crate::input::{self, Built, check_writable};
+use crate::input::{self, Built, check_writable, display};
 use anyhow::ensure;
 use golden::ray_file::write_rays;
 use golden::render::{RenderOptions, render};
@@ -11,7 +11,6 @@ use scenes::output::write_file;
 use serde::Serialize;
 use sim::picture::heatmap::{self, Quantity};
 use sim::picture::{Format, exr, max_radiance, png};
-use std::path::PathBuf;
 use std::time::Instant;
 
 #[derive(Serialize)]
@@ -36,9 +35,9 @@ struct Document {
     #[serde(skip_serializing_if = "Option::is_none")]
     maxima: Option<Maxima>,
     classes: Vec<ClassRow>,
-    out: PathBuf,
+    out: String,
     #[serde(skip_serializing_if = "Option::is_none")]
-    rays_out: Option<PathBuf>,
+    rays_out: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -124,8 +123,8 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
             .classes()
             .map(|(class, totals)| ClassRow::new(class, totals, options.count_work))
             .collect(),
-        out: args.out.clone(),
-        rays_out: args.rays.clone(),
+        out: display(&args.out),
+        rays_out: args.rays.as_deref().map(display),
     };
     let text = text(&document);
     Ok(Report::new(&document, text))

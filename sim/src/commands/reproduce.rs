@@ -5,7 +5,7 @@ use super::work::ClassRow;
 use crate::artifacts::Artifacts;
 use crate::cli::{Global, ReproduceArgs, quality_name};
 use crate::console::{Report, fixed, progress, table};
-use crate::input::Built;
+use crate::input::{Built, display};
 use anyhow::ensure;
 use golden::build::Quality;
 use golden::render::{RenderOptions, Rendering, Test, render};
@@ -15,7 +15,6 @@ use scenes::procedural::{self, CATALOGUE};
 use serde::Serialize;
 use sim::picture::heatmap::{self, Quantity};
 use sim::picture::png;
-use std::path::PathBuf;
 use std::time::Instant;
 
 /// How large the job is.
@@ -110,7 +109,7 @@ impl RenderResult {
 
 #[derive(Serialize)]
 struct Artifact {
-    artifacts: Vec<PathBuf>,
+    artifacts: Vec<String>,
     mode: &'static str,
     seconds: f64,
 }
@@ -159,8 +158,8 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
     bar.finish_and_clear();
     artifacts.write("trees.csv", &trees_csv(&document)?)?;
     artifacts.write("work.csv", &work_csv(&document)?)?;
-    artifacts.write("results.json", format!("{:#}\n", serde_json::to_value(&document)?).as_bytes())?;
-    let artifacts = artifacts.finish()?;
+    artifacts.write("results.json", format!("{}\n", serde_json::to_string_pretty(&document)?).as_bytes())?;
+    let artifacts: Vec<String> = artifacts.finish()?.iter().map(|path| display(path)).collect();
     let seconds = start.elapsed().as_secs_f64();
     let mut text = text(&document);
     text += &format!("\n{} files in {}, {seconds:.1} s\n", artifacts.len(), args.out.display());

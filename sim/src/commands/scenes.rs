@@ -2,7 +2,7 @@
 
 use crate::cli::{Global, ScenesArgs};
 use crate::console::{Report, spinner, table};
-use crate::input::check_writable;
+use crate::input::{check_writable, display};
 use scenes::procedural::{self, CATALOGUE};
 use serde::Serialize;
 
@@ -28,7 +28,7 @@ struct Exported {
     triangles: usize,
     detail: f64,
     seed: u64,
-    path: std::path::PathBuf,
+    path: String,
 }
 
 pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
@@ -49,7 +49,7 @@ pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
     let triangles = scene.mesh.triangles.len();
     document.scenes.retain(|entry| entry.name == name);
     document.exported =
-        Some(Exported { name: name.clone(), triangles, detail, seed: global.seed, path: path.clone() });
+        Some(Exported { name: name.clone(), triangles, detail, seed: global.seed, path: display(path) });
     Ok(Report::new(&document, format!("{}: {triangles} triangles", path.display())))
 }
 

@@ -3,7 +3,7 @@
 use super::work::{ClassRow, class_table};
 use crate::cli::{Global, TraceArgs, quality_name};
 use crate::console::{Report, progress};
-use crate::input::{self, Built, check_writable};
+use crate::input::{self, Built, check_writable, display};
 use golden::TraversalRay;
 use golden::ray_file::{FileHit, read_rays, write_hits};
 use golden::render::{ClassTotals, RayClass, RayStream};
@@ -33,7 +33,7 @@ struct Document {
     bytes: u64,
     stack_depth: u32,
     classes: Vec<ClassRow>,
-    out: Option<std::path::PathBuf>,
+    out: Option<String>,
 }
 
 pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
@@ -74,7 +74,7 @@ pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
         bytes: all.bytes,
         stack_depth: all.stack_depth,
         classes: classes.iter().map(|(class, totals)| ClassRow::new(*class, totals, true)).collect(),
-        out: args.out.clone(),
+        out: args.out.as_deref().map(display),
     };
     let text = text(&document);
     Ok(Report::new(&document, text))

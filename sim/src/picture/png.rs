@@ -2,6 +2,7 @@
 
 use super::Picture;
 use golden::render::Rendering;
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
 /// The picture as a display shows it, brightened by `exposure_stops` factors of two; values beyond white are cut off.
@@ -30,7 +31,7 @@ pub fn encode_srgb(x: f32) -> u8 {
 #[must_use]
 pub fn encode(picture: &Picture<u8>) -> Vec<u8> {
     let mut bytes = vec![];
-    image::codecs::png::PngEncoder::new(&mut bytes)
+    PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive)
         .write_image(picture.pixels.as_flattened(), picture.width, picture.height, ExtendedColorType::Rgb8)
         .expect("a complete picture is written to memory");
     bytes
