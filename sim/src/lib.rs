@@ -2,5 +2,6 @@
 
 pub mod picture;
 pub mod plot;
+pub mod report;
 pub mod unit_costs;
 pub mod walk;

@@ -29,8 +29,8 @@ const INK: RGBColor = RGBColor(40, 40, 40);
 /// Lines that guide the eye.
 const GRID: RGBColor = RGBColor(224, 224, 224);
 const FONT: &str = "sans-serif";
-const FONT_PX: u32 = 13;
-const TITLE_PX: u32 = 16;
+const FONT_PX: u32 = 15;
+const TITLE_PX: u32 = 18;
 
 /// Colour of the series at `index`.
 fn colour(index: usize) -> RGBColor {
@@ -39,7 +39,7 @@ fn colour(index: usize) -> RGBColor {
 
 /// Estimated width of `text` in pixels at [`FONT_PX`].
 fn text_width(text: &str) -> u32 {
-    text.chars().count() as u32 * FONT_PX * 3 / 5
+    text.chars().count() as u32 * FONT_PX / 2
 }
 
 /// `x` with about four significant digits: what stands beside a bar or at a tick.
