@@ -444,7 +444,14 @@ impl Tm {
         self.cycles.memory += 1;
     }
 
-    fn issue_served(&mut self, program: &Program, op: &MicroOp, thread: usize, now: u32, ended: &mut Vec<u8>) {
+    fn issue_served(
+        &mut self,
+        program: &Program,
+        op: &MicroOp,
+        thread: usize,
+        now: u32,
+        ended: &mut Vec<u8>,
+    ) {
         let was_first = thread as u32 == self.first;
         self.issue(program, op, thread, now, ended);
         if was_first {

@@ -94,7 +94,11 @@ impl MachineDescription {
         power_of_two("dram.rows", dram.rows, 1 << 20)?;
         power_of_two("dram.columns", dram.columns, 1 << 12)?;
         if dram.bytes(self.l2.line.0) > 1 << 34 {
-            return Err(out_of_range("dram.rows", dram.rows, "at most 2^34 bytes of memory: 32-bit word addresses"));
+            return Err(out_of_range(
+                "dram.rows",
+                dram.rows,
+                "at most 2^34 bytes of memory: 32-bit word addresses",
+            ));
         }
         within("dram.read_queue", dram.read_queue, 1, 1 << 12)?;
         within("dram.write_queue", dram.write_queue, 1, 1 << 12)?;

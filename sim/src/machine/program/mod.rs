@@ -236,7 +236,8 @@ impl Program {
                 line: listing.instructions.get(here).map_or(0, |i| i.line),
                 message: message.to_owned(),
             };
-            let instruction = listing.instructions.get(here).ok_or_else(|| fail("the program does not end"))?;
+            let instruction =
+                listing.instructions.get(here).ok_or_else(|| fail("the program does not end"))?;
             instructions.push(here);
             if instructions.len() > MAX_RUN {
                 return Err(fail("a loop without entry point"));
