@@ -8,6 +8,7 @@ mod validate;
 
 pub use build::build_for_dst;
 pub use convert::MAX_CARVES;
+pub(crate) use convert::fewest_carves;
 pub use step::{Child, Code, Step, step};
 pub use validate::{DstDefect, End, Record};
 

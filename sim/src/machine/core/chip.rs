@@ -14,7 +14,9 @@ use crate::machine::program::{EntryId, Kind, Program, START};
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SimulationError {
     /// Cycles are counted in 32 bits.
-    #[error("more than {MAX_CYCLES} cycles: lower the size of the image, or give the machine more multiprocessors")]
+    #[error(
+        "more than {MAX_CYCLES} cycles: lower the size of the image, or give the machine more multiprocessors"
+    )]
     TooLong,
 }
 

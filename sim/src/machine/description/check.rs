@@ -75,7 +75,7 @@ impl MachineDescription {
         {
             return Err(out_of_range("tm.load_words", words, "1, 2, 4 or \"line\""));
         }
-        within("icache.caches", icache.caches, 1, tm.threads)?;
+        within("icache.caches", icache.caches, 1, MAX_THREADS)?;
         power_of_two("icache.banks", icache.banks, MAX_BANKS)?;
         within("icache.fetches_per_bank", icache.fetches_per_bank, 1, 255)?;
         for unit in Unit::ALL {
@@ -94,7 +94,11 @@ impl MachineDescription {
         power_of_two("dram.rows", dram.rows, 1 << 20)?;
         power_of_two("dram.columns", dram.columns, 1 << 12)?;
         if dram.bytes(self.l2.line.0) > 1 << 34 {
-            return Err(out_of_range("dram.rows", dram.rows, "at most 2^34 bytes of memory: 32-bit word addresses"));
+            return Err(out_of_range(
+                "dram.rows",
+                dram.rows,
+                "at most 2^34 bytes of memory: 32-bit word addresses",
+            ));
         }
         within("dram.read_queue", dram.read_queue, 1, 1 << 12)?;
         within("dram.write_queue", dram.write_queue, 1, 1 << 12)?;

@@ -150,6 +150,25 @@ impl Units {
     }
 }
 
+impl Units {
+    /// The pool of `unit`, to be changed.
+    pub(in crate::machine) fn pool_mut(&mut self, unit: crate::unit_costs::Unit) -> &mut UnitPool {
+        use crate::unit_costs::Unit;
+        match unit {
+            Unit::FpAdd => &mut self.fp_add,
+            Unit::FpMul => &mut self.fp_mul,
+            Unit::FpMinMax => &mut self.fp_min_max,
+            Unit::FpCmp => &mut self.fp_cmp,
+            Unit::IntAdd => &mut self.int_add,
+            Unit::IntMul => &mut self.int_mul,
+            Unit::FpInv => &mut self.fp_inv,
+            Unit::Convert => &mut self.convert,
+            Unit::Branch => &mut self.branch,
+            Unit::Bitwise => &mut self.bitwise,
+        }
+    }
+}
+
 /// A data cache. Stores go around it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -32,8 +32,9 @@ pub(super) fn parse(
 
 fn apply(table: &mut Table, setting: &str) -> Result<(), DescriptionError> {
     let refused = |message: String| DescriptionError::Setting { setting: setting.to_owned(), message };
-    let (path, value) =
-        setting.split_once('=').ok_or_else(|| refused("write KEY=VALUE, such as l1.size=64KiB".to_owned()))?;
+    let (path, value) = setting
+        .split_once('=')
+        .ok_or_else(|| refused("write KEY=VALUE, such as l1.size=64KiB".to_owned()))?;
     let (path, value) = (path.trim(), value.trim());
     let mut keys: Vec<&str> = path.split('.').collect();
     let last = keys.pop().unwrap_or_default();

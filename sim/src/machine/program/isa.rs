@@ -74,9 +74,7 @@ pub fn decode(mnemonic: &str, operands: &[&str]) -> Option<Decoded> {
         "FPMIN" | "FPMAX" => (unit(Unit::FpMinMax), Write),
         "neg.s" | "abs.s" => (unit(Unit::FpCmp), Write),
         "cvt.s.w" | "cvt.w.s" | "trunc.w.s" => (unit(Unit::Convert), Write),
-        "addiu" | "addu" | "subu" | "slt" | "slti" | "sltu" | "sltiu" | "negu" => {
-            (unit(Unit::IntAdd), Write)
-        }
+        "addiu" | "addu" | "subu" | "slt" | "slti" | "sltu" | "sltiu" | "negu" => (unit(Unit::IntAdd), Write),
         "move" | "mov.s" | "mfc1" | "lui" => (Place::Registers, Write),
         "mul" => (unit(Unit::IntMul), Write),
         "sll" | "srl" | "sra" | "sllv" | "srlv" | "and" | "andi" | "or" | "ori" | "xor" | "xori" | "nor"

@@ -86,7 +86,8 @@ impl Listing {
             }
             let (mnemonic, operands) = code.split_once(' ').unwrap_or((code, ""));
             let operands: Vec<&str> = operands.split(',').map(str::trim).filter(|o| !o.is_empty()).collect();
-            let decoded = decode(mnemonic, &operands).ok_or_else(|| fail(format!("cannot decode `{code}`")))?;
+            let decoded =
+                decode(mnemonic, &operands).ok_or_else(|| fail(format!("cannot decode `{code}`")))?;
             let control = match mnemonic {
                 "jr" => Control::End,
                 "j" | "b" => {

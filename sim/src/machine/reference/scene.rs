@@ -110,7 +110,9 @@ impl ReferenceScene {
             let valid = if count < 0 {
                 child > node && child < scene.nodes - 1
             } else {
-                count > 0 && last_triangle.is_some_and(|t| u64::from(t) + count as u64 <= header.num_tris.into())
+                count > 0
+                    && last_triangle
+                        .is_some_and(|t| u64::from(t) + count as u64 <= u64::from(header.num_tris))
             };
             if !valid {
                 return Err(fail(format!("node {node} has count {count} and child {child}")));

@@ -98,7 +98,8 @@ impl<'a> ReferenceWork<'a> {
                 let left = slab(scene.bounds(child), origin, inverse, t);
                 let right = slab(scene.bounds(child + 1), origin, inverse, t);
                 let hits = [left.0 <= left.1, right.0 <= right.1];
-                let conditions = if hits[0] { names.hit[0] } else { 0 } | if hits[1] { names.hit[1] } else { 0 };
+                let conditions =
+                    if hits[0] { names.hit[0] } else { 0 } | if hits[1] { names.hit[1] } else { 0 };
                 event.event(names.node, conditions);
                 match hits {
                     [true, true] => {
@@ -210,8 +211,10 @@ fn maximum(a: f32, b: f32) -> f32 {
 #[inline(always)]
 fn slab(bounds: [f32; 6], origin: [f32; 3], inverse: [f32; 3], t: f32) -> (f32, f32) {
     let at = |k: usize| (bounds[k] - origin[k % 3]) * inverse[k % 3];
-    let (low, high): ([f32; 3], [f32; 3]) =
-        (std::array::from_fn(|k| minimum(at(k), at(k + 3))), std::array::from_fn(|k| maximum(at(k), at(k + 3))));
+    let (low, high): ([f32; 3], [f32; 3]) = (
+        std::array::from_fn(|k| minimum(at(k), at(k + 3))),
+        std::array::from_fn(|k| maximum(at(k), at(k + 3))),
+    );
     let entry = maximum(maximum(maximum(low[0], low[1]), low[2]), 0.0);
     let exit = minimum(minimum(minimum(high[0], high[1]), high[2]), t);
     (entry, exit)

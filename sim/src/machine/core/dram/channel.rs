@@ -65,8 +65,7 @@ const NEVER: u64 = 0;
 impl Channel {
     pub fn new(description: &Description) -> Self {
         let timing = description.timing;
-        let bank =
-            Bank { open_row: CLOSED, next_activate: NEVER, next_precharge: NEVER, next_column: NEVER };
+        let bank = Bank { open_row: CLOSED, next_activate: NEVER, next_precharge: NEVER, next_column: NEVER };
         Self {
             timing,
             read_limit: description.read_queue as usize,
@@ -170,7 +169,8 @@ impl Channel {
                 Some(self.issue_read(clock, at))
             };
         }
-        let activate_allowed = self.next_activate.max(self.oldest_activate() + u64::from(self.timing.four_activates));
+        let activate_allowed =
+            self.next_activate.max(self.oldest_activate() + u64::from(self.timing.four_activates));
         for request in queue {
             let number = request.bank as usize;
             let bank = &self.banks[number];
