@@ -59,6 +59,8 @@ pub enum Command {
     Export(ExportArgs),
     /// Write a waveform of rays in the hardware.
     Wave(WaveArgs),
+    /// Time a frame on a many-core machine, or the public simulator's reference runs.
+    Simulate(SimulateArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -266,6 +268,30 @@ pub struct WaveArgs {
     /// The waveform, a VCD file.
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
+pub struct MachineArgs {
+    /// The machine: a preset (trax or simtrax-reference) or a TOML file.
+    #[arg(long, default_value = "trax", value_name = "MACHINE")]
+    pub machine: String,
+    /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub settings: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+#[command(group(clap::ArgGroup::new("job").required(true).args(["validate", "dump_config"])))]
+pub struct SimulateArgs {
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// Make the reference runs of a folder, with the preset simtrax-reference, and compare; exit code 1 if a quantity is
+    /// not within its tolerance.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
+    pub validate: Option<PathBuf>,
+    /// Print the machine as a TOML file.
+    #[arg(long)]
+    pub dump_config: bool,
 }
 
 #[derive(Args, Debug)]

@@ -7,6 +7,7 @@ mod export;
 mod render;
 mod reproduce;
 mod scenes;
+mod simulate;
 mod trace;
 mod tree;
 mod wave;
@@ -34,6 +35,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Check(args)) => check::run(args, global),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),
+        Some(Command::Simulate(args)) => simulate::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

@@ -162,7 +162,7 @@ pub struct Results {
     /// Traffic.
     pub bandwidth_gb_s: BandwidthGbS,
     /// Where the energy of a pipeline operation is from.
-    pub pipeline_cost_source: &'static str,
+    pub pipeline_cost_source: String,
 }
 
 /// Accesses of the caches.
@@ -203,7 +203,7 @@ impl Results {
     ) -> Result<Self, DescriptionError> {
         let costs = CacheCosts::new(machine)?;
         let instructions = Instructions::new(program, counts);
-        let pipeline_cost = pipeline.map(Pipeline::cost);
+        let pipeline_cost = pipeline.map(|pipeline| &pipeline.cost);
         let mj = |accesses: u64, energy_nj: f64| accesses as f64 * energy_nj * 1e-6;
         let seconds = f64::from(counts.cycles) / (machine.clock_ghz * 1e9);
         let units = instructions.units.iter();
@@ -215,7 +215,7 @@ impl Results {
             registers: mj(instructions.total * REGISTER_ACCESSES, REGISTERS.energy_nj),
             local_store: mj(instructions.local_store, LOCAL_STORE.energy_nj),
             units: units.map(|(unit, times)| mj(*times, unit.published().energy_pj * 1e-3)).sum(),
-            pipeline: pipeline_cost.as_ref().map_or(0.0, |cost| mj(instructions.pipeline, cost.energy_pj * 1e-3)),
+            pipeline: pipeline_cost.map_or(0.0, |cost| mj(instructions.pipeline, cost.energy_pj * 1e-3)),
             total: 0.0,
         };
         energy.total = energy.dram
@@ -269,12 +269,10 @@ impl Results {
                 l1: bytes(counts.l1.loads),
                 l2: bytes(counts.l2.loads * line_words),
                 dram: bytes((counts.dram.reads + counts.dram.writes) * line_words),
-                dram_peak: lines_per_second
-                    * f64::from(machine.dram.channels)
-                    * machine.l2.line.0 as f64
+                dram_peak: lines_per_second * f64::from(machine.dram.channels) * machine.l2.line.0 as f64
                     / 1e9,
             },
-            pipeline_cost_source: pipeline_cost.map_or("no pipeline", |cost| cost.source),
+            pipeline_cost_source: pipeline_cost.map_or("no pipeline".to_owned(), |cost| cost.source.clone()),
         })
     }
 }
@@ -306,7 +304,7 @@ fn area_mm2(machine: &MachineDescription, pipeline: Option<&Pipeline>, costs: &C
         .map(|unit| f64::from(machine.units.pool(unit).count) * unit.published().area_um2)
         .sum::<f64>();
     let of_pipeline = pipeline.map_or(0.0, Pipeline::unit_area_um2);
-    let beyond = pipeline.map_or(0.0, |pipeline| pipeline.cost().area_um2) - of_pipeline;
+    let beyond = pipeline.map_or(0.0, |pipeline| pipeline.cost.area_um2) - of_pipeline;
     let mut area = AreaMm2 {
         l1: tms * costs.l1.area_mm2,
         l2: f64::from(machine.chip.l2_partitions) * costs.l2.area_mm2,

@@ -121,10 +121,6 @@ impl Channel {
         true
     }
 
-    pub fn is_reading(&self) -> bool {
-        !self.reads.is_empty()
-    }
-
     /// Issues at most one command at `clock` and sets `next`. Returns the line of a read that was issued, when its
     /// data are there, and who waits for them.
     pub fn command(&mut self, clock: u64) -> Option<(u64, u32, Vec<Requester>)> {
@@ -144,7 +140,11 @@ impl Channel {
         let writing = self.draining || no_read;
         if writing {
             // A read that has not come yet is looked at when it has.
-            soonest = self.reads.iter().map(|request| request.arrival).fold(soonest, |a, b| if b > clock { a.min(b) } else { a });
+            soonest = self
+                .reads
+                .iter()
+                .map(|request| request.arrival)
+                .fold(soonest, |a, b| if b > clock { a.min(b) } else { a });
         }
         let queue = if writing { &self.writes } else { &self.reads };
         let mut chosen = None;
