@@ -7,6 +7,7 @@ use golden::build::Quality;
 use golden::render::Test;
 use golden::structure::StructureKind;
 use hdl::catalogue::{StandardFormat, Top};
+use sim::machine::frame::MachineStructure;
 use sim::picture::heatmap::Quantity;
 use std::path::PathBuf;
 
@@ -281,10 +282,30 @@ pub struct MachineArgs {
 }
 
 #[derive(Args, Debug)]
-#[command(group(clap::ArgGroup::new("job").required(true).args(["validate", "dump_config"])))]
+#[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config"])))]
 pub struct SimulateArgs {
+    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    pub scene: Option<String>,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    /// The structure, with its program and its pipeline: dst-sw decodes in software, + is parallel pipelines.
+    #[arg(long, default_value = "dst", value_parser = machine_structure())]
+    pub structure: MachineStructure,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "128x128", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
     #[command(flatten)]
     pub machine: MachineArgs,
+    /// Also write the results as CSV: quantity, value, unit, meaning.
+    #[arg(long, value_name = "FILE", requires = "scene")]
+    pub csv: Option<PathBuf>,
     /// Make the reference runs of a folder, with the preset simtrax-reference, and compare; exit code 1 if a quantity is
     /// not within its tolerance.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
@@ -333,6 +354,10 @@ fn format() -> impl TypedValueParser<Value = StandardFormat> {
 
 fn structure() -> impl TypedValueParser<Value = StructureKind> {
     one_of(StructureKind::ALL, StructureKind::name)
+}
+
+fn machine_structure() -> impl TypedValueParser<Value = MachineStructure> {
+    one_of(MachineStructure::ALL, MachineStructure::name)
 }
 
 fn test() -> impl TypedValueParser<Value = Test> {

@@ -44,6 +44,13 @@ impl Pipeline {
         }
     }
 
+    /// Adds the units that this pipeline has beyond those of `single` to `machine`.
+    pub fn add_units_beyond(&self, single: &Self, machine: &mut MachineDescription) {
+        for (&unit, &count) in &self.units {
+            machine.units.pool_mut(unit).count += count - single.units.get(&unit).copied().unwrap_or(0);
+        }
+    }
+
     /// Takes the pipeline's units out of those of `machine`.
     ///
     /// # Errors

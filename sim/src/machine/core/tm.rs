@@ -381,7 +381,8 @@ impl Thread {
 
     /// When the further registers can be used that an operation waits for.
     fn more_ready(&self, program: &Program, op: &MicroOp) -> u32 {
-        let ready = program.kept(op.more_reads).iter().map(|register| self.ready[usize::from(*register) % ENTRIES]);
+        let ready =
+            program.kept(op.more_reads).iter().map(|register| self.ready[usize::from(*register) % ENTRIES]);
         ready.max().unwrap_or(0)
     }
 }

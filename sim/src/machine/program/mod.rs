@@ -361,8 +361,13 @@ impl Program {
     /// If there is none, which is a mistake in the program.
     #[must_use]
     pub fn entry(&self, name: &str) -> EntryId {
-        let found = self.entries.iter().position(|entry| entry.name == name);
-        found.unwrap_or_else(|| panic!("{} has no entry point `{name}`", self.name)) as EntryId
+        self.find_entry(name).unwrap_or_else(|| panic!("{} has no entry point `{name}`", self.name))
+    }
+
+    /// The entry point `name`, if there is one.
+    #[must_use]
+    pub fn find_entry(&self, name: &str) -> Option<EntryId> {
+        self.entries.iter().position(|entry| entry.name == name).map(|at| at as EntryId)
     }
 
     /// The bit of the condition `name`; 0 if the program does not ask for it.
@@ -381,7 +386,8 @@ impl Program {
     #[must_use]
     pub fn run(&self, entry: EntryId, conditions: Conditions) -> RunId {
         let entry = &self.entries[usize::from(entry)];
-        let index = entry.bits.iter().rev().fold(0, |index, bit| index << 1 | usize::from(conditions & bit != 0));
+        let index =
+            entry.bits.iter().rev().fold(0, |index, bit| index << 1 | usize::from(conditions & bit != 0));
         entry.runs[index]
     }
 
