@@ -8,6 +8,7 @@ mod render;
 mod reproduce;
 mod scenes;
 mod simulate;
+mod study;
 mod trace;
 mod tree;
 mod wave;
@@ -36,6 +37,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),
         Some(Command::Simulate(args)) => simulate::run(args, global),
+        Some(Command::Study(args)) => study::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }
