@@ -8,7 +8,8 @@ use super::stats::{CacheCounts, DramCounts, ThreadCycles};
 use super::tm::{QUANTUM, Request, Tm};
 use super::work::{Tape, Work};
 use crate::machine::description::MachineDescription;
-use crate::machine::program::{EntryId, Kind, Program, START};
+use crate::machine::program::{Conditions, EntryId, Kind, Program, START};
+use rayon::prelude::*;
 
 /// Why a simulation stops.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -40,13 +41,23 @@ pub struct Counts {
     pub dram: DramCounts,
 }
 
+/// A multiprocessor with what its threads are at.
+struct Seat {
+    tm: Tm,
+    /// The item that each thread has got from the counter.
+    items: Vec<u32>,
+    /// Times that each run was recorded.
+    runs: Vec<u64>,
+}
+
+/// Multiprocessors from which on a quantum is shared out among the host's threads; fewer take less time than sharing.
+const PARALLEL_TMS: usize = 8;
+
 struct Chip<'a, W> {
     machine: &'a MachineDescription,
     program: &'a Program,
     work: &'a W,
-    tms: Vec<Tm>,
-    /// The item that each thread of each multiprocessor has got from the counter.
-    items: Vec<Vec<u32>>,
+    seats: Vec<Seat>,
     l2s: Vec<L2>,
     dram: Dram,
     next_item: u32,
@@ -54,9 +65,8 @@ struct Chip<'a, W> {
     now: u32,
     /// Cycles of a quantum.
     length: u32,
-    runs: Vec<u64>,
     requests: Vec<Request>,
-    no_more: u32,
+    no_more: Conditions,
     line_shift: u32,
 }
 
@@ -77,26 +87,28 @@ pub fn simulate<W: Work>(
         machine,
         program,
         work,
-        tms: (0..tms as u16).map(|tm| Tm::new(tm, machine)).collect(),
-        items: vec![vec![0; machine.tm.threads as usize]; tms as usize],
+        seats: (0..tms as u16)
+            .map(|tm| Seat {
+                tm: Tm::new(tm, machine),
+                items: vec![0; machine.tm.threads as usize],
+                runs: vec![0; program.runs.len()],
+            })
+            .collect(),
         l2s: (0..machine.chip.l2_partitions).map(|_| L2::new(&machine.l2)).collect(),
         dram: Dram::new(&machine.dram),
         next_item: 0,
         now: 0,
         length: Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32),
         requests: vec![],
-        runs: vec![0; program.runs.len()],
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
     };
     let start = program.entry(START);
-    for tm in 0..tms as usize {
-        for thread in 0..machine.tm.threads as usize {
-            chip.start(tm, thread, start);
-        }
+    for seat in &mut chip.seats {
+        (0..machine.tm.threads as usize).for_each(|thread| seat.start(program, thread, start));
     }
     let mut reported = 0;
-    while !chip.tms.iter().all(Tm::is_halted) {
+    while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
         chip.quantum();
         if chip.now > MAX_CYCLES {
             return Err(SimulationError::TooLong);
@@ -109,41 +121,84 @@ pub fn simulate<W: Work>(
     Ok(chip.counts())
 }
 
-impl<W: Work> Chip<'_, W> {
+impl Seat {
     /// Puts a thread at the start of the program.
-    fn start(&mut self, tm: usize, thread: usize, entry: EntryId) {
-        let place = &mut self.tms[tm].threads[thread];
-        Tape::new(self.program, entry, &mut place.tape, &mut self.runs).event(entry, 0);
-        self.tms[tm].enter(self.program, thread);
+    fn start(&mut self, program: &Program, thread: usize, entry: EntryId) {
+        let words = &mut self.tm.threads[thread].tape;
+        Tape::new(program, entry, words, &mut self.runs).event(entry, 0);
+        self.tm.resume(program, thread);
+    }
+
+    /// Gives new tapes to the threads that need them and lets them catch up.
+    fn change_tapes<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, quantum: [u32; 2]) {
+        while let Some(thread) = self.tm.ended.pop() {
+            let thread = usize::from(thread);
+            self.change_tape(program, work, no_more, thread);
+            self.tm.run(program, thread, quantum[0], quantum[1]);
+        }
+    }
+
+    /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
+    fn change_tape<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, thread: usize) {
+        let place = &mut self.tm.threads[thread];
+        let Some(entry) = program.runs[place.tape[place.at] as usize].next else {
+            self.tm.halt(thread);
+            return;
+        };
+        let item = self.items[thread];
+        place.tape.clear();
+        place.at = 0;
+        let mut tape = Tape::new(program, entry, &mut place.tape, &mut self.runs);
+        if item < work.items() {
+            tape.event(entry, 0);
+            work.record(item, &mut tape);
+        } else {
+            tape.event(entry, no_more);
+        }
+        self.tm.resume(program, thread);
+    }
+}
+
+impl<W: Work> Chip<'_, W> {
+    /// Does `step` for every multiprocessor; they do not depend on each other.
+    fn each(&mut self, step: impl Fn(&mut Seat) + Sync + Send) {
+        if self.seats.len() >= PARALLEL_TMS && rayon::current_num_threads() > 1 {
+            self.seats.par_iter_mut().with_min_len(PARALLEL_TMS / 2).for_each(step);
+        } else {
+            self.seats.iter_mut().for_each(step);
+        }
     }
 
     fn quantum(&mut self) {
         let (start, end) = (self.now, self.now + self.length);
         self.dram.advance(start);
         let per_partition = self.machine.chip.tms_per_partition as usize;
-        let (tms, l2s) = (&mut self.tms, &mut self.l2s);
+        let (seats, l2s) = (&mut self.seats, &mut self.l2s);
         self.dram.announce(start, |arrival| {
             let tm = usize::from(arrival.requester.tm);
             l2s[tm / per_partition].arrives(arrival.line, arrival.cycle);
-            tms[tm].arrives(arrival.line, arrival.cycle);
+            seats[tm].tm.arrives(arrival.line, arrival.cycle);
         });
         self.l2s.iter_mut().for_each(|l2| l2.begin(start));
-        for tm in 0..self.tms.len() {
-            self.tms[tm].quantum(self.program, start, end);
-        }
-        loop {
-            self.change_tapes(start, end);
-            if self.tms.iter().all(|tm| tm.outbox.is_empty()) {
-                break;
-            }
-            self.serve(start, end);
+        let (program, work, no_more) = (self.program, self.work, self.no_more);
+        self.each(|seat| {
+            seat.tm.quantum(program, start, end);
+            seat.change_tapes(program, work, no_more, [start, end]);
+        });
+        while self.seats.iter().any(|seat| !seat.tm.outbox.is_empty()) {
+            self.serve(start);
+            self.each(|seat| {
+                seat.change_tapes(program, work, no_more, [start, end]);
+                seat.tm.catch_up(program, start, end);
+                seat.change_tapes(program, work, no_more, [start, end]);
+            });
         }
         self.now = self.next_start(end);
     }
 
     /// The first cycle from `end` on in which anything can happen, at the start of a quantum.
     fn next_start(&self, end: u32) -> u32 {
-        let next = self.tms.iter().map(Tm::next_time).min().unwrap_or(end);
+        let next = self.seats.iter().map(|seat| seat.tm.next_time()).min().unwrap_or(end);
         if next <= end {
             return end;
         }
@@ -151,47 +206,31 @@ impl<W: Work> Chip<'_, W> {
         if next == u32::MAX { end } else { next.max(end) }
     }
 
-    /// Gives new tapes to the threads that need them and lets them catch up.
-    fn change_tapes(&mut self, start: u32, end: u32) {
-        for tm in 0..self.tms.len() {
-            while let Some(thread) = self.tms[tm].ended.pop() {
-                self.tape_ended(tm, thread.into());
-                self.tms[tm].run(self.program, thread.into(), start, end);
-            }
-        }
-    }
-
-    /// Serves what multiprocessors ask in the order of time, and lets the threads that asked catch up.
-    fn serve(&mut self, start: u32, end: u32) {
+    /// Serves what multiprocessors ask in the order of time.
+    fn serve(&mut self, start: u32) {
         let mut requests = std::mem::take(&mut self.requests);
-        self.tms.iter_mut().for_each(|tm| requests.append(&mut tm.outbox));
+        self.seats.iter_mut().for_each(|seat| requests.append(&mut seat.tm.outbox));
         // In one cycle, multiprocessors come in ring order from another one each time.
-        let (count, first) = (self.tms.len() as u32, start / self.length);
+        let (count, first) = (self.seats.len() as u32, start / self.length);
         requests
             .sort_by_key(|request| (request.cycle, (u32::from(request.tm) + count - first % count) % count));
-        for &request in &requests {
-            self.serve_one(request, start);
-        }
-        for &request in &requests {
-            self.tms[usize::from(request.tm)].run(self.program, request.thread.into(), start, end);
-        }
-        requests.clear();
+        requests.drain(..).for_each(|request| self.serve_one(request, start));
         self.requests = requests;
     }
 
     fn serve_one(&mut self, request: Request, start: u32) {
         let (number, program, now) = (usize::from(request.tm), self.program, request.cycle);
-        let tm = &mut self.tms[number];
+        let seat = &mut self.seats[number];
+        let tm = &mut seat.tm;
         let slot = (now - start) as usize;
-        let waiter = tm.waiter(program, request);
         let again = match request.kind {
-            Kind::Load => tm.l1.load_now(now, slot, request.address, waiter),
+            Kind::Load => tm.load_now(program, request, slot),
             Kind::Store => tm.l1.store_now(slot, request.address),
             _ => {
                 // Threads that find nothing left leave the counter where it is.
                 let item = self.next_item;
                 self.next_item = self.work.items().min(item + 1);
-                self.items[number][usize::from(request.thread)] = item;
+                seat.items[usize::from(request.thread)] = item;
                 return tm.served(program, request, now + 1);
             }
         };
@@ -232,38 +271,18 @@ impl<W: Work> Chip<'_, W> {
         l2.take(slot, request.address);
         l2.counts.loads += 1;
         l2.counts.hits += u64::from(hit);
-        let ready = tm.l1.taken(now, slot, request.address, arrival, waiter);
+        let ready = tm.taken(program, request, slot, arrival);
         tm.served(program, request, ready);
     }
 
-    /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
-    fn tape_ended(&mut self, tm: usize, thread: usize) {
-        let program = self.program;
-        let place = &mut self.tms[tm].threads[thread];
-        let Some(entry) = program.runs[place.tape[place.at] as usize].next else {
-            self.tms[tm].halt(thread);
-            return;
-        };
-        let item = self.items[tm][thread];
-        place.tape.clear();
-        place.at = 0;
-        if item < self.work.items() {
-            let mut tape = Tape::new(program, entry, &mut place.tape, &mut self.runs);
-            tape.event(entry, 0);
-            self.work.record(item, &mut tape);
-        } else {
-            Tape::new(program, entry, &mut place.tape, &mut self.runs).event(entry, self.no_more);
-        }
-        self.tms[tm].resume(program, thread);
-    }
-
     fn counts(&mut self) -> Counts {
-        let cycles = self.tms.iter().map(Tm::last_issue).max().unwrap_or(0) + 1;
-        let mut counts = Counts { cycles, runs: self.runs.clone(), ..Counts::default() };
-        for tm in &mut self.tms {
-            tm.finish(cycles);
-            counts.thread_cycles.merge(&tm.cycles);
-            counts.l1.merge(&tm.l1.counts);
+        let cycles = self.seats.iter().map(|seat| seat.tm.last_issue()).max().unwrap_or(0) + 1;
+        let mut counts = Counts { cycles, runs: vec![0; self.program.runs.len()], ..Counts::default() };
+        for seat in &mut self.seats {
+            seat.tm.finish(cycles);
+            counts.thread_cycles.merge(&seat.tm.cycles);
+            counts.l1.merge(&seat.tm.l1.counts);
+            counts.runs.iter_mut().zip(&seat.runs).for_each(|(sum, times)| *sum += times);
         }
         self.l2s.iter().for_each(|l2| counts.l2.merge(&l2.counts));
         counts.dram = self.dram.counts(cycles);

@@ -5,6 +5,7 @@ use super::stats::CacheCounts;
 use super::tags::Tags;
 use super::tm::QUANTUM;
 use crate::machine::description::MachineDescription;
+use crate::machine::program::Register;
 use std::collections::VecDeque;
 
 /// A multiprocessor's data cache. Times within the current quantum are slots.
@@ -24,6 +25,15 @@ pub struct L1 {
     fills: VecDeque<(u32, u32)>,
     /// What happened.
     pub counts: CacheCounts,
+}
+
+/// Where the words of a load go.
+#[derive(Clone, Copy, Debug)]
+pub struct Target<'a> {
+    /// The thread.
+    pub thread: u8,
+    /// Its registers.
+    pub registers: &'a [Register],
 }
 
 /// What becomes of an access.
@@ -74,13 +84,13 @@ impl L1 {
         1 << (address & self.bank_mask)
     }
 
-    /// A load of `address` to `waiter` in cycle `now`, which is `slot` of the quantum.
+    /// A load of `address` in cycle `now`, which is `slot` of the quantum.
     #[inline(always)]
-    pub fn load(&mut self, now: u32, slot: usize, address: u32, waiter: Waiter) -> Access {
+    pub fn load(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         if self.asked[slot] & self.bank(address) != 0 {
             return Access::Ask;
         }
-        let access = self.load_now(now, slot, address, waiter);
+        let access = self.load_now(now, slot, address, target);
         if access == Access::Ask {
             self.asked[slot] |= self.bank(address);
         }
@@ -89,7 +99,7 @@ impl L1 {
 
     /// [`L1::load`] after all earlier requests to the chip have been served.
     #[inline(always)]
-    pub fn load_now(&mut self, now: u32, slot: usize, address: u32, waiter: Waiter) -> Access {
+    pub fn load_now(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         let bank = self.bank(address);
         if self.enabled && self.busy[slot] & bank != 0 {
             self.counts.bank_conflicts += 1;
@@ -107,7 +117,7 @@ impl L1 {
                 self.counts.loads += 1;
                 self.counts.joined += 1;
                 self.busy[slot] |= bank;
-                Access::Served(self.wait(now, line, arrival, waiter))
+                Access::Served(self.wait(now, line, arrival, target))
             }
             // It has been replaced since.
             _ => Access::Ask,
@@ -131,9 +141,11 @@ impl L1 {
         self.tags.hit(line)
     }
 
-    fn wait(&mut self, now: u32, line: u32, arrival: Arrival, waiter: Waiter) -> u32 {
+    fn wait(&mut self, now: u32, line: u32, arrival: Arrival, target: Target<'_>) -> u32 {
         if arrival.usable == UNKNOWN {
-            self.outstanding.wait(line, waiter);
+            for &register in target.registers {
+                self.outstanding.wait(line, Waiter { thread: target.thread, register });
+            }
             return UNKNOWN;
         }
         arrival.usable.max(now + self.latency)
@@ -161,7 +173,14 @@ impl L1 {
     }
 
     /// The chip has taken a load. Returns when its result can be used.
-    pub fn taken(&mut self, now: u32, slot: usize, address: u32, arrival: Arrival, waiter: Waiter) -> u32 {
+    pub fn taken(
+        &mut self,
+        now: u32,
+        slot: usize,
+        address: u32,
+        arrival: Arrival,
+        target: Target<'_>,
+    ) -> u32 {
         let line = address >> self.line_shift;
         self.counts.loads += 1;
         self.busy[slot] |= self.bank(address);
@@ -169,7 +188,7 @@ impl L1 {
         if arrival.filled != UNKNOWN {
             self.fill_at(arrival.filled, line);
         }
-        self.wait(now, line, arrival, waiter)
+        self.wait(now, line, arrival, target)
     }
 
     /// The chip has taken a store.

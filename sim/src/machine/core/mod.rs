@@ -17,3 +17,6 @@ mod work;
 pub use chip::{Counts, SimulationError, simulate};
 pub use stats::{CacheCounts, DramCounts, ThreadCycles};
 pub use work::{Tape, Work};
+
+#[cfg(test)]
+mod tests;

@@ -9,11 +9,13 @@
 //! until the chip has served it, then catches up. A quantum is not longer than the time that memory takes, so
 //! that nothing asked for within a quantum arrives from there within it.
 
-use super::l1::{Access, L1};
+use super::l1::{Access, L1, Target};
 use super::outstanding::{Arrival, UNKNOWN, Waiter};
 use super::stats::ThreadCycles;
 use crate::machine::description::MachineDescription;
-use crate::machine::program::{COUNTER, Kind, MicroOp, PIPELINE, POOLS, Program, SCOREBOARD, UNLIMITED};
+use crate::machine::program::{
+    COUNTER, Kind, MicroOp, PIPELINE, POOLS, Program, Register, SCOREBOARD, UNLIMITED,
+};
 use crate::unit_costs::Unit;
 
 /// Most cycles of a quantum.
@@ -72,6 +74,8 @@ pub struct Thread {
     pub at: usize,
     /// Index behind the current run's addresses.
     next: usize,
+    /// Words of a load that are under way already, where it reaches into a second line.
+    part: u8,
 }
 
 /// A multiprocessor.
@@ -83,6 +87,7 @@ pub struct Tm {
     halted: u32,
     icaches: usize,
     icache_banks: usize,
+    line_words: u32,
     /// Fetches left, by slot, cache and bank.
     fetches: Vec<u8>,
     fetches_full: Vec<u8>,
@@ -95,6 +100,8 @@ pub struct Tm {
     pub outbox: Vec<Request>,
     /// Threads that have come to the end of their tape.
     pub ended: Vec<u8>,
+    /// Threads that the chip has answered in this quantum.
+    answered: Vec<u8>,
     /// What threads did.
     pub cycles: ThreadCycles,
 }
@@ -121,6 +128,7 @@ impl Tm {
             tape: vec![],
             at: 0,
             next: 0,
+            part: 0,
         };
         Self {
             number,
@@ -128,6 +136,7 @@ impl Tm {
             halted: 0,
             icaches: icache.caches as usize,
             icache_banks: icache.banks as usize,
+            line_words: machine.l1.line_words(),
             fetches: fetches_full.clone(),
             fetches_full,
             units: [units_full; QUANTUM],
@@ -135,6 +144,7 @@ impl Tm {
             l1: L1::new(machine),
             outbox: vec![],
             ended: vec![],
+            answered: vec![],
             cycles: ThreadCycles::default(),
         }
     }
@@ -148,12 +158,6 @@ impl Tm {
     pub fn next_time(&self) -> u32 {
         let running = self.threads.iter().filter(|thread| thread.state == State::Runs);
         running.map(|thread| thread.time).min().unwrap_or(u32::MAX)
-    }
-
-    /// Puts `thread` at the run that its tape is at.
-    #[inline(always)]
-    pub fn enter(&mut self, program: &Program, thread: usize) {
-        self.threads[thread].enter(program);
     }
 
     /// It is known now that `line` arrives in cycle `arrival`.
@@ -184,6 +188,15 @@ impl Tm {
         for thread in (first..self.threads.len()).chain(0..first) {
             self.run(program, thread, start, end);
         }
+    }
+
+    /// Lets the threads that the chip has answered live through the rest of the quantum.
+    pub fn catch_up(&mut self, program: &Program, start: u32, end: u32) {
+        let mut answered = std::mem::take(&mut self.answered);
+        for thread in answered.drain(..) {
+            self.run(program, thread.into(), start, end);
+        }
+        self.answered = answered;
     }
 
     /// Runs a thread until the end of the quantum, or until it has to wait for the chip.
@@ -231,11 +244,7 @@ impl Tm {
             }
             let ready = match op.kind {
                 Kind::Plain => now + u32::from(op.latency),
-                Kind::Nop => {
-                    self.cycles.nop += 1;
-                    self.cycles.issue -= 1;
-                    now + 1
-                }
+                Kind::Nop => now + 1,
                 Kind::Counter => {
                     *left -= 1;
                     thread.state = State::Asks;
@@ -246,12 +255,23 @@ impl Tm {
                 Kind::Load | Kind::Store => {
                     let address = thread.address(op);
                     let access = if op.kind == Kind::Load {
-                        self.l1.load(now, slot, address, Waiter { thread: number as u8, register: op.write })
+                        let registers = thread.targets(program, op, address, self.line_words);
+                        self.l1.load(now, slot, address, Target { thread: number as u8, registers })
                     } else {
                         self.l1.store(slot, address)
                     };
                     match access {
-                        Access::Served(at) => at,
+                        Access::Served(at) => {
+                            if op.more_writes.1 != 0
+                                && !thread.loaded(program, op, address, self.line_words, at)
+                            {
+                                // The rest is in the next line.
+                                self.cycles.memory += 1;
+                                now += 1;
+                                continue;
+                            }
+                            at
+                        }
                         Access::Refused => {
                             self.cycles.memory += 1;
                             now += 1;
@@ -267,9 +287,14 @@ impl Tm {
                 }
             };
             *left -= 1;
-            self.cycles.issue += 1;
-            thread.ready[usize::from(op.write) % ENTRIES] = ready;
-            if op.more_writes.1 != 0 {
+            if op.kind == Kind::Nop {
+                self.cycles.nop += 1;
+            } else {
+                self.cycles.issue += 1;
+            }
+            if op.more_writes.1 == 0 {
+                thread.ready[usize::from(op.write) % ENTRIES] = ready;
+            } else if op.kind != Kind::Load {
                 thread.write_more(program, op, ready);
             }
             thread.last_issue = now;
@@ -291,15 +316,20 @@ impl Tm {
     pub fn served(&mut self, program: &Program, request: Request, ready: u32) {
         let thread = &mut self.threads[usize::from(request.thread)];
         let op = &program.ops[thread.pc as usize];
-        self.cycles.issue += 1;
-        thread.ready[usize::from(op.write) % ENTRIES] = ready;
-        if op.more_writes.1 != 0 {
-            thread.write_more(program, op, ready);
-        }
-        thread.last_issue = request.cycle;
+        self.answered.push(request.thread);
         thread.time = request.cycle + 1;
-        thread.held = false;
         thread.state = State::Runs;
+        if op.kind == Kind::Load && op.more_writes.1 != 0 {
+            if !thread.loaded(program, op, request.address, self.line_words, ready) {
+                self.cycles.memory += 1;
+                return;
+            }
+        } else {
+            thread.ready[usize::from(op.write) % ENTRIES] = ready;
+        }
+        self.cycles.issue += 1;
+        thread.last_issue = request.cycle;
+        thread.held = false;
         thread.pc += 1;
         if op.last && !thread.advance(program) {
             self.ended.push(request.thread);
@@ -309,15 +339,31 @@ impl Tm {
     /// The chip or a cache bank has refused; the thread tries again in the next cycle.
     pub fn refused(&mut self, request: Request) {
         self.cycles.memory += 1;
+        self.answered.push(request.thread);
         let thread = &mut self.threads[usize::from(request.thread)];
         thread.time = request.cycle + 1;
         thread.state = State::Runs;
     }
 
-    /// The register that a request's result goes to.
-    pub fn waiter(&self, program: &Program, request: Request) -> Waiter {
-        let op = &program.ops[self.threads[usize::from(request.thread)].pc as usize];
-        Waiter { thread: request.thread, register: op.write }
+    /// Loads a request's address now that all earlier requests to the chip have been served.
+    pub fn load_now(&mut self, program: &Program, request: Request, slot: usize) -> Access {
+        let (thread, op) = self.asking(program, request);
+        let registers = thread.targets(program, op, request.address, self.line_words);
+        let target = Target { thread: request.thread, registers };
+        self.l1.load_now(request.cycle, slot, request.address, target)
+    }
+
+    /// The chip has taken the load of a request. Returns when its result can be used.
+    pub fn taken(&mut self, program: &Program, request: Request, slot: usize, arrival: Arrival) -> u32 {
+        let (thread, op) = self.asking(program, request);
+        let registers = thread.targets(program, op, request.address, self.line_words);
+        let target = Target { thread: request.thread, registers };
+        self.l1.taken(request.cycle, slot, request.address, arrival, target)
+    }
+
+    fn asking<'p>(&self, program: &'p Program, request: Request) -> (&Thread, &'p MicroOp) {
+        let thread = &self.threads[usize::from(request.thread)];
+        (thread, &program.ops[thread.pc as usize])
     }
 
     /// The thread has got a new tape.
@@ -369,7 +415,38 @@ impl Thread {
     /// The word address of a memory operation.
     #[inline(always)]
     fn address(&self, op: &MicroOp) -> u32 {
-        self.tape[self.at + 1 + usize::from(op.base)] + u32::from(op.offset)
+        self.tape[self.at + 1 + usize::from(op.base)] + u32::from(op.offset) + u32::from(self.part)
+    }
+
+    /// Registers of the words that an access at `address` brings: those up to the end of the line.
+    #[inline(always)]
+    fn targets<'p>(
+        &self,
+        program: &'p Program,
+        op: &'p MicroOp,
+        address: u32,
+        line_words: u32,
+    ) -> &'p [Register] {
+        if op.more_writes.1 == 0 {
+            return std::slice::from_ref(&op.write);
+        }
+        let registers = &program.kept(op.more_writes)[usize::from(self.part)..];
+        let to_the_end = (line_words - address % line_words) as usize;
+        &registers[..registers.len().min(to_the_end)]
+    }
+
+    /// The words that an access at `address` brought can be used from cycle `ready` on; whether these were the last.
+    fn loaded(&mut self, program: &Program, op: &MicroOp, address: u32, line_words: u32, ready: u32) -> bool {
+        let registers = self.targets(program, op, address, line_words);
+        for &register in registers {
+            self.ready[usize::from(register) % ENTRIES] = ready;
+        }
+        self.part += registers.len() as u8;
+        if self.part < op.more_writes.1 {
+            return false;
+        }
+        self.part = 0;
+        true
     }
 
     #[cold]

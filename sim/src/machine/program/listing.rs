@@ -7,7 +7,7 @@
 //!     bgez $15, $BB0_12           #: leaf            taken if the event says `leaf`; `!leaf`: if it does not
 //! ```
 
-use super::isa::{Decoded, decode};
+use super::isa::{Decoded, Place, Register, decode};
 use std::collections::BTreeMap;
 
 /// Why a listing cannot be used.
@@ -132,10 +132,97 @@ impl Listing {
         Ok(listing)
     }
 
+    /// Joins loads of adjacent words into loads of up to `words` words, as a machine with wider loads would be programmed:
+    /// a load moves up to an earlier one if nothing between them uses its registers or can be jumped to.
+    pub fn widen_loads(&mut self, words: usize) {
+        let count = self.instructions.len();
+        let mut targets: Vec<bool> = (0..count).map(|at| self.entries.contains_key(&at)).collect();
+        for instruction in &self.instructions {
+            if let Control::Jump(to) | Control::Branch(to, ..) = instruction.control {
+                targets[to] = true;
+            }
+        }
+        let mut joined = vec![false; count];
+        for at in 0..count {
+            if joined[at] || self.instructions[at].decoded.place != Place::Load {
+                continue;
+            }
+            let first = &self.instructions[at].decoded;
+            let changes_base = first.writes.iter().any(|register| first.reads.contains(register));
+            if changes_base || at > 0 && self.instructions[at - 1].control != Control::Next {
+                continue;
+            }
+            // Registers that instructions between have read or written.
+            let mut used: Vec<Register> = vec![];
+            for next in at + 1..count {
+                let wide = self.instructions[at].decoded.writes.len();
+                // A delay slot is as far as straight code goes.
+                let leaves = |at: usize| self.instructions[at].control != Control::Next;
+                if wide >= words || targets[next] || leaves(next) || leaves(next - 1) {
+                    break;
+                }
+                if joined[next] {
+                    continue;
+                }
+                let (load, candidate) = (&self.instructions[at], &self.instructions[next]);
+                let base = &load.decoded.reads;
+                if candidate.adjoins(load) && !candidate.decoded.writes.iter().any(|r| used.contains(r)) {
+                    let written = candidate.decoded.writes.clone();
+                    joined[next] = true;
+                    self.instructions[at].decoded.writes.extend(written);
+                    continue;
+                }
+                if candidate.decoded.writes.iter().any(|register| base.contains(register)) {
+                    break;
+                }
+                used.extend(candidate.decoded.reads.iter().chain(&candidate.decoded.writes));
+            }
+        }
+        self.remove(&joined);
+    }
+
+    /// Removes the instructions marked in `gone`; what was aimed at one is aimed at the next.
+    fn remove(&mut self, gone: &[bool]) {
+        let mut place = Vec::with_capacity(gone.len() + 1);
+        let mut kept = 0;
+        for gone in gone {
+            place.push(kept);
+            kept += usize::from(!gone);
+        }
+        place.push(kept);
+        let all = std::mem::take(&mut self.instructions);
+        self.instructions = all
+            .into_iter()
+            .zip(gone)
+            .filter(|(_, gone)| !**gone)
+            .map(|(instruction, _)| instruction)
+            .collect();
+        for instruction in &mut self.instructions {
+            if let Control::Jump(to) | Control::Branch(to, ..) = &mut instruction.control {
+                *to = place[*to];
+            }
+        }
+        let entries = std::mem::take(&mut self.entries);
+        self.entries = entries.into_iter().map(|(at, name)| (place[at], name)).collect();
+    }
+
     /// Index of the entry point `name`.
     #[must_use]
     pub fn entry(&self, name: &str) -> Option<usize> {
         self.entries.iter().find(|(_, n)| n.as_str() == name).map(|(at, _)| *at)
+    }
+}
+
+impl Instruction {
+    /// Whether this load brings the word behind those that `load` brings.
+    fn adjoins(&self, load: &Self) -> bool {
+        let (Some((base, offset)), Some((other, next))) = (&load.address, &self.address) else {
+            return false;
+        };
+        self.decoded.place == Place::Load
+            && base == other
+            && offset + load.decoded.writes.len() as u32 == *next
+            && load.decoded.reads == self.decoded.reads
     }
 }
 

@@ -54,7 +54,7 @@ pub struct MicroOp {
     pub base: u8,
     /// Words behind that address.
     pub offset: u16,
-    /// Further registers written: start and length in [`Program::registers`].
+    /// All registers written, where there are several: start and length in [`Program::registers`].
     pub more_writes: (u16, u8),
     /// Further registers that it waits for: start and length in [`Program::registers`].
     pub more_reads: (u16, u8),
@@ -156,6 +156,7 @@ impl Program {
         pipeline_latency_cycles: u32,
     ) -> Result<Self, ListingError> {
         let mut listing = Listing::parse(name, text)?;
+        listing.widen_loads(machine.load_words() as usize);
         // A thread learns which item it has got when the counter answers.
         let after_counter: Vec<usize> = (listing.instructions.iter().enumerate())
             .filter(|(_, i)| i.decoded.place == Place::Counter)
@@ -332,7 +333,7 @@ impl Program {
         let mut reads = [ZERO; 3];
         reads.iter_mut().zip(&decoded.reads).for_each(|(slot, register)| *slot = *register);
         let more_reads = self.keep(decoded.reads.get(reads.len()..).unwrap_or_default());
-        let more_writes = self.keep(decoded.writes.get(1..).unwrap_or_default());
+        let more_writes = self.keep(if decoded.writes.len() > 1 { &decoded.writes } else { &[] });
         MicroOp {
             pool: pool_of(decoded.place),
             kind: match decoded.place {

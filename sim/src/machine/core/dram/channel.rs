@@ -169,8 +169,7 @@ impl Channel {
                 Some(self.issue_read(clock, at))
             };
         }
-        let activate_allowed =
-            self.next_activate.max(self.oldest_activate() + u64::from(self.timing.four_activates));
+        let activate_allowed = self.next_activate.max(self.after_four_activates());
         for request in queue {
             let number = request.bank as usize;
             let bank = &self.banks[number];
@@ -196,10 +195,9 @@ impl Channel {
         None
     }
 
-    /// The fourth last activate, with the initial state long ago.
-    fn oldest_activate(&self) -> u64 {
-        let oldest = self.activates[0];
-        if self.counts.activates < 4 { 0 } else { oldest }
+    /// The clock from which on the last four activates allow another.
+    fn after_four_activates(&self) -> u64 {
+        if self.counts.activates < 4 { 0 } else { self.activates[0] + u64::from(self.timing.four_activates) }
     }
 
     fn activate(&mut self, clock: u64, number: usize, row: u32) {

@@ -1,0 +1,188 @@
+//! Programs so small that their cycles can be counted by hand.
+
+use super::*;
+use crate::machine::description::MachineDescription;
+use crate::machine::program::{EntryId, Program};
+
+/// Items whose events are one run from `body`, with `address` at a word per item.
+struct Repeat {
+    items: u32,
+    body: EntryId,
+    address: fn(u32) -> u32,
+}
+
+impl Work for Repeat {
+    fn items(&self) -> u32 {
+        self.items
+    }
+
+    fn record(&self, item: u32, tape: &mut Tape<'_>) {
+        if let Some(base) = tape.program().base("data") {
+            tape.address(base, (self.address)(item));
+        }
+        tape.event(self.body, 0);
+    }
+}
+
+/// A program that gets an item, goes through `body` and gets the next.
+fn listing(body: &str) -> String {
+    format!(
+        "main: #: start\n ATOMIC_INC $2, 0\n beqz $2, $end #: no_more\n nop\n$body: #: body\n{body}\n\
+         ATOMIC_INC $2, 0\n bnez $2, $body #: !no_more\n nop\n$end:\n jr $ra\n nop\n"
+    )
+}
+
+fn machine(settings: &[&str]) -> MachineDescription {
+    let settings: Vec<String> = settings.iter().map(|s| (*s).to_owned()).collect();
+    MachineDescription::load("simtrax-reference", &settings).unwrap()
+}
+
+fn run_at(settings: &[&str], items: u32, body: &str, address: fn(u32) -> u32) -> Counts {
+    let machine = machine(settings);
+    let program = Program::new("test", &listing(body), &machine, 8).unwrap();
+    let work = Repeat { items, body: program.entry("body"), address };
+    simulate(&machine, &program, &work, |_| {}).unwrap()
+}
+
+/// Cycles of `body` beyond those of no body, for one thread.
+fn cycles(settings: &[&str], body: &str) -> u32 {
+    let settings = [&["tm.threads=1"], settings].concat();
+    let none = run_at(&settings, 1, "", |_| 0).cycles;
+    run_at(&settings, 1, body, |_| 64).cycles - none
+}
+
+fn repeat(line: &str, times: usize) -> String {
+    vec![line; times].join("\n")
+}
+
+#[test]
+fn results_are_used_when_they_are_ready_and_not_a_cycle_before() {
+    // Independent: one a cycle. Dependent: one each latency; the last result is not waited for.
+    assert_eq!(cycles(&[], &repeat("add.s $f1, $f2, $f3", 40)), 40);
+    for latency in [1, 2, 5, 17] {
+        let setting = format!("units.fp_add.latency_cycles={latency}");
+        assert_eq!(cycles(&[&setting], &repeat("add.s $f1, $f1, $f3", 40)), 39 * latency + 1);
+    }
+    let division = "div.s $f1, $f2, $f3\nadd.s $f4, $f1, $f1";
+    assert_eq!(cycles(&[], division), 17);
+    // A condition is ready one cycle later, for the branch behind it too.
+    assert_eq!(cycles(&[], "c.olt.s $f1, $f2\nmovt $3, $4, $fcc0"), 2);
+    // The pipeline's results come after its latency.
+    let step = "DSTSTEP $2, $3, $4, $f1, $f2, $f3, $f4, $5, $f5, $f6";
+    assert_eq!(cycles(&[], &format!("{step}\naddu $6, $3, $3")), 9);
+    assert_eq!(cycles(&[], &format!("{step}\naddu $6, $7, $7")), 2);
+}
+
+#[test]
+fn loads_take_the_latency_of_where_the_line_is() {
+    let t = machine(&[]).dram.timing;
+    let memory = (t.activate_to_column + t.read_latency + t.burst) / machine(&[]).dram.clocks_per_cycle;
+    let used = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3";
+    assert_eq!(cycles(&[], used), memory + 1);
+    // The second word of the line is there after the first.
+    let again = format!("{used}\nLOAD $3, $4, 1 #: data\naddu $5, $3, $3");
+    assert_eq!(cycles(&[], &again), memory + 3);
+    for latency in [1, 3] {
+        let setting = format!("l1.latency_cycles={latency}");
+        assert_eq!(cycles(&[&setting], &again), memory + 2 + latency);
+    }
+    // Replaced in the first-level cache by a line of the same set, but still in the second.
+    let conflict = "LOAD $6, $4, 8192 #: data\naddu $5, $6, $6\nLOAD $3, $4, 1 #: data\naddu $5, $3, $3";
+    let both = format!("{used}\n{conflict}");
+    let counts = run_at(&["tm.threads=1"], 1, &both, |_| 64);
+    assert_eq!((counts.l1.hits, counts.l2.hits, counts.l2.loads), (0, 1, 3));
+    let (l1, l2) = (machine(&[]).l1.latency_cycles, machine(&[]).l2.latency_cycles);
+    let two_lines = cycles(&[], &format!("{used}\nLOAD $6, $4, 8192 #: data\naddu $5, $6, $6"));
+    assert_eq!(cycles(&[], &both) - two_lines, l1 + l2 + 1);
+    // Two ways hold both.
+    let counts = run_at(&["tm.threads=1", "l1.associativity=2"], 1, &both, |_| 64);
+    assert_eq!((counts.l1.hits, counts.l2.loads), (1, 2));
+}
+
+#[test]
+fn banks_units_and_fetches_serve_as_many_a_cycle_as_there_are() {
+    let slower = |settings: &[&str], body: &str, address: fn(u32) -> u32| {
+        let settings = [&["tm.threads=4", "icache.fetches_per_bank=4"], settings].concat();
+        run_at(&settings, 4, body, address).thread_cycles
+    };
+    let adds = repeat("add.s $f1, $f2, $f3", 200);
+    let free = slower(&["units.fp_add.count=4"], &adds, |_| 0);
+    // The counter answers one thread a cycle: at the start, threads wait 1, 2 and 3 cycles for it.
+    assert_eq!(free.units, 6);
+    // One unit for four threads: each operation waits for three others, but for the ends.
+    let taken = slower(&["units.fp_add.count=1"], &adds, |_| 0);
+    assert!((1800..=2400).contains(&taken.units), "{taken:?}");
+    assert_eq!(taken.issue, free.issue);
+    // All threads load the same word: one a cycle. Different banks: no conflict.
+    let loads = repeat("LOAD $3, $4, 0 #: data", 200);
+    let same = slower(&[], &loads, |_| 64);
+    let apart = slower(&[], &loads, |item| 64 + item);
+    assert!((1800..=2700).contains(&same.memory), "{same:?}");
+    assert!(apart.memory < 20, "{apart:?}");
+    // One bank with one fetch for four threads.
+    let one = ["icache.caches=1", "icache.banks=1", "icache.fetches_per_bank=1"];
+    let fetched = slower(&one, &repeat("addu $3, $4, $4", 200), |_| 0);
+    assert!((1800..=2500).contains(&fetched.fetch), "{fetched:?}");
+}
+
+#[test]
+fn every_thread_cycle_is_in_one_class_and_stores_merge_or_count() {
+    for settings in [vec![], vec!["chip.tms_per_partition=3"], vec!["l1.enabled=false"]] {
+        let body = "LOAD $3, $4, 0 #: data\nmul.s $f1, $f1, $f1\nSTORE $3, $4, 7 #: data\naddu $3, $3, $3";
+        let counts = run_at(&settings, 999, body, |item| 64 + 37 * item);
+        let tms = machine(&settings).chip.tms();
+        let all = u64::from(counts.cycles) * u64::from(32 * tms);
+        assert_eq!(counts.thread_cycles.total(), all);
+        assert_eq!((counts.l1.loads, counts.l1.stores), (999, 999));
+        // Some may still wait in the queues when the last thread ends.
+        let written = counts.dram.writes + counts.dram.merged_writes;
+        assert!((900..=999).contains(&written), "{written}");
+    }
+}
+
+#[test]
+fn wide_loads_bring_adjacent_words_and_take_a_second_access_across_lines() {
+    let four =
+        "LOAD $3, $9, 0 #: data\nLOAD $4, $9, 1 #: data\nLOAD $5, $9, 2 #: data\nLOAD $6, $9, 3 #: data";
+    let used = format!("{four}\naddu $7, $3, $6");
+    let run = |words: &str, address: fn(u32) -> u32| {
+        let words = format!("tm.load_words={words}");
+        run_at(&["tm.threads=1", &words], 1, &used, address)
+    };
+    let instructions = |counts: &Counts| counts.thread_cycles.issue;
+    let narrow = run("1", |_| 64);
+    assert_eq!(narrow.l1.loads, 4);
+    for (words, loads) in [("2", 2), ("4", 1), ("line", 1)] {
+        let wide = run(words, |_| 64);
+        assert_eq!(wide.l1.loads, loads, "{words}");
+        assert_eq!(instructions(&narrow) - instructions(&wide), 4 - loads, "{words}");
+        // While the line is on its way, the number of loads does not matter; once it is there, each takes a cycle.
+        assert_eq!(narrow.cycles, wide.cycles, "{words}");
+        let again = format!("{used}\n{used}");
+        let twice = |words: &str| {
+            run_at(&["tm.threads=1", &format!("tm.load_words={words}")], 1, &again, |_| 64).cycles
+        };
+        assert_eq!(twice("1") - twice(words), 4 - loads as u32, "{words}");
+    }
+    // Words 62 to 65: two in each line.
+    let crossing = run("4", |_| 62);
+    assert_eq!((crossing.l1.loads, crossing.dram.reads), (2, 2));
+    assert_eq!(instructions(&crossing), instructions(&run("4", |_| 64)));
+    // What is used between two loads keeps them apart, as does a register that is written.
+    let apart = "LOAD $3, $9, 0 #: data\naddu $4, $4, $4\nLOAD $4, $9, 1 #: data";
+    let counts = run_at(&["tm.threads=1", "tm.load_words=4"], 1, apart, |_| 64);
+    assert_eq!(counts.l1.loads, 2);
+}
+
+#[test]
+fn results_do_not_depend_on_the_number_of_host_threads() {
+    let body = "LOAD $3, $4, 0 #: data\nadd.s $f1, $f1, $f1\nSTORE $3, $4, 7 #: data";
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let settings = ["chip.tms_per_partition=12", "chip.l2_partitions=2"];
+        pool.install(|| format!("{:?}", run_at(&settings, 5000, body, |item| 64 + 37 * (item % 700))))
+    };
+    let one = run(1);
+    assert_eq!(one, run(2));
+    assert_eq!(one, run(5));
+}
