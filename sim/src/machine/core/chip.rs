@@ -187,11 +187,11 @@ impl<W: Work> Chip<'_, W> {
         });
         while self.seats.iter().any(|seat| !seat.tm.outbox.is_empty()) {
             self.serve(start);
-            self.each(|seat| {
+            for seat in &mut self.seats {
                 seat.change_tapes(program, work, no_more, [start, end]);
                 seat.tm.catch_up(program, start, end);
                 seat.change_tapes(program, work, no_more, [start, end]);
-            });
+            }
         }
         self.now = self.next_start(end);
     }

@@ -87,6 +87,8 @@ pub struct Tm {
     halted: u32,
     icaches: usize,
     icache_banks: usize,
+    /// Binary logarithm of the entries of `fetches` for a slot.
+    fetch_shift: u32,
     line_words: u32,
     /// Fetches left, by slot, cache and bank.
     fetches: Vec<u8>,
@@ -116,7 +118,8 @@ impl Tm {
         units_full[usize::from(PIPELINE)] = 1;
         units_full[usize::from(COUNTER)] = 1;
         let icache = &machine.icache;
-        let entries = (icache.caches * icache.banks) as usize * QUANTUM;
+        let fetch_shift = (icache.caches * icache.banks).next_power_of_two().trailing_zeros();
+        let entries = QUANTUM << fetch_shift;
         let fetches_full = vec![icache.fetches_per_bank as u8; entries];
         let thread = Thread {
             ready: [0; ENTRIES],
@@ -136,6 +139,7 @@ impl Tm {
             halted: 0,
             icaches: icache.caches as usize,
             icache_banks: icache.banks as usize,
+            fetch_shift,
             line_words: machine.l1.line_words(),
             fetches: fetches_full.clone(),
             fetches_full,
@@ -202,114 +206,103 @@ impl Tm {
     /// Runs a thread until the end of the quantum, or until it has to wait for the chip.
     pub fn run(&mut self, program: &Program, number: usize, start: u32, end: u32) {
         let thread = &mut self.threads[number];
-        if thread.state != State::Runs {
+        if thread.state != State::Runs || thread.time >= end {
             return;
         }
-        let fetch_stride = self.icaches * self.icache_banks;
+        let mut cycles = ThreadCycles::default();
         let fetch_base = number % self.icaches * self.icache_banks;
-        let (mut now, mut held, mut pc) = (thread.time, thread.held, thread.pc);
-        while now < end {
-            let op = &program.ops[pc as usize];
-            if !held {
-                let bank = fetch_base + usize::from(op.bank);
-                let left = &mut self.fetches[(now - start) as usize * fetch_stride + bank];
-                if *left == 0 {
-                    self.cycles.fetch += 1;
-                    now += 1;
-                    continue;
-                }
-                *left -= 1;
-                held = true;
-            }
-            let [a, b, c] = op.reads.map(|register| thread.ready[usize::from(register) % ENTRIES]);
-            let mut at = a.max(b).max(c);
-            if op.more_reads.1 != 0 {
-                at = at.max(thread.more_ready(program, op));
-            }
-            if at > now {
-                if at == UNKNOWN {
-                    thread.state = State::Parked;
-                    break;
-                }
-                self.cycles.data += u64::from(at - now);
-                now = at;
-                continue;
-            }
-            let slot = (now - start) as usize % QUANTUM;
-            let left = &mut self.units[slot][usize::from(op.pool) % POOL_ENTRIES];
-            if *left == 0 {
-                self.cycles.units += 1;
-                now += 1;
-                continue;
-            }
-            let ready = match op.kind {
-                Kind::Plain => now + u32::from(op.latency),
-                Kind::Nop => now + 1,
-                Kind::Counter => {
-                    *left -= 1;
-                    thread.state = State::Asks;
-                    let (tm, thread) = (self.number, number as u8);
-                    self.outbox.push(Request { cycle: now, tm, thread, kind: op.kind, address: 0 });
-                    break;
-                }
-                Kind::Load | Kind::Store => {
-                    let address = thread.address(op);
-                    let access = if op.kind == Kind::Load {
-                        let registers = thread.targets(program, op, address, self.line_words);
-                        self.l1.load(now, slot, address, Target { thread: number as u8, registers })
-                    } else {
-                        self.l1.store(slot, address)
-                    };
-                    match access {
-                        Access::Served(at) => {
-                            if op.more_writes.1 != 0
-                                && !thread.loaded(program, op, address, self.line_words, at)
-                            {
-                                // The rest is in the next line.
-                                self.cycles.memory += 1;
-                                now += 1;
-                                continue;
-                            }
-                            at
-                        }
-                        Access::Refused => {
-                            self.cycles.memory += 1;
-                            now += 1;
-                            continue;
-                        }
-                        Access::Ask => {
-                            thread.state = State::Asks;
-                            let (tm, thread) = (self.number, number as u8);
-                            self.outbox.push(Request { cycle: now, tm, thread, kind: op.kind, address });
-                            break;
-                        }
-                    }
-                }
+        loop {
+            let tables = Tables {
+                fetches: &mut self.fetches[fetch_base..],
+                fetch_shift: self.fetch_shift,
+                units: &mut self.units,
+                start,
+                end,
             };
-            *left -= 1;
-            if op.kind == Kind::Nop {
-                self.cycles.nop += 1;
-            } else {
-                self.cycles.issue += 1;
-            }
-            if op.more_writes.1 == 0 {
-                thread.ready[usize::from(op.write) % ENTRIES] = ready;
-            } else if op.kind != Kind::Load {
-                thread.write_more(program, op, ready);
-            }
-            thread.last_issue = now;
-            now += 1;
-            held = false;
-            pc += 1;
-            if op.last {
-                if !thread.advance(program) {
-                    self.ended.push(number as u8);
-                    break;
-                }
-                pc = thread.pc;
+            if !self.threads[number].simple_ops(&program.ops, tables, &mut cycles)
+                || !self.other_op(program, number, start, &mut cycles)
+            {
+                break;
             }
         }
-        (thread.time, thread.held, thread.pc) = (now, held, pc);
+        cycles.issue -= cycles.nop;
+        self.cycles.merge(&cycles);
+    }
+
+    /// Issues the operation that a thread has fetched, whose operands are ready and whose unit is free; it is not a simple
+    /// one. Returns whether the thread goes on.
+    #[inline(never)]
+    fn other_op(&mut self, program: &Program, number: usize, start: u32, cycles: &mut ThreadCycles) -> bool {
+        let thread = &mut self.threads[number];
+        let now = thread.time;
+        let slot = (now - start) as usize % QUANTUM;
+        let op = &program.ops[thread.pc as usize];
+        let left = &mut self.units[slot][usize::from(op.pool) % POOL_ENTRIES];
+        let ready = match op.kind {
+            Kind::Plain | Kind::Nop => {
+                let at = thread.more_ready(program, op);
+                if at > now {
+                    return thread.waits(at, cycles);
+                }
+                now + u32::from(op.latency)
+            }
+            Kind::Counter => {
+                *left -= 1;
+                thread.state = State::Asks;
+                let (tm, thread) = (self.number, number as u8);
+                self.outbox.push(Request { cycle: now, tm, thread, kind: op.kind, address: 0 });
+                return false;
+            }
+            Kind::Load | Kind::Store => {
+                let address = thread.address(op);
+                let access = if op.kind == Kind::Load {
+                    let registers = thread.targets(program, op, address, self.line_words);
+                    self.l1.load(now, slot, address, Target { thread: number as u8, registers })
+                } else {
+                    self.l1.store(slot, address)
+                };
+                match access {
+                    Access::Served(at) => {
+                        let wide = op.kind == Kind::Load && op.operands != 0;
+                        if wide && !thread.loaded(program, op, address, self.line_words, at) {
+                            // The rest is in the next line.
+                            cycles.memory += 1;
+                            thread.time += 1;
+                            return true;
+                        }
+                        at
+                    }
+                    Access::Refused => {
+                        cycles.memory += 1;
+                        thread.time += 1;
+                        return true;
+                    }
+                    Access::Ask => {
+                        thread.state = State::Asks;
+                        let (tm, thread) = (self.number, number as u8);
+                        self.outbox.push(Request { cycle: now, tm, thread, kind: op.kind, address });
+                        return false;
+                    }
+                }
+            }
+        };
+        *left -= 1;
+        cycles.issue += 1;
+        cycles.nop += u64::from(op.kind == Kind::Nop);
+        if op.operands == 0 {
+            thread.ready[usize::from(op.write) % ENTRIES] = ready;
+        } else if op.kind != Kind::Load {
+            thread.write_all(program, op, ready);
+        }
+        thread.last_issue = now;
+        thread.time += 1;
+        thread.held = false;
+        thread.pc += 1;
+        if op.last && !thread.advance(program) {
+            self.ended.push(number as u8);
+            return false;
+        }
+        true
     }
 
     /// The chip has served a request: the thread's result can be used from cycle `ready` on.
@@ -319,7 +312,7 @@ impl Tm {
         self.answered.push(request.thread);
         thread.time = request.cycle + 1;
         thread.state = State::Runs;
-        if op.kind == Kind::Load && op.more_writes.1 != 0 {
+        if op.kind == Kind::Load && op.operands != 0 {
             if !thread.loaded(program, op, request.address, self.line_words, ready) {
                 self.cycles.memory += 1;
                 return;
@@ -391,7 +384,88 @@ impl Tm {
     }
 }
 
+/// What the threads of a multiprocessor take from, cycle by cycle of a quantum.
+struct Tables<'a> {
+    /// Fetches left, from the thread's instruction cache on; slots are `1 << fetch_shift` apart.
+    fetches: &'a mut [u8],
+    fetch_shift: u32,
+    /// Units left, by slot and pool.
+    units: &'a mut [[u8; POOL_ENTRIES]; QUANTUM],
+    /// The quantum.
+    start: u32,
+    end: u32,
+}
+
 impl Thread {
+    /// Issues simple operations, up to one that is not. Returns whether there is one that has been fetched, whose
+    /// operands are ready and whose unit is free before the end of the quantum.
+    #[inline(never)]
+    fn simple_ops(&mut self, ops: &[MicroOp], tables: Tables<'_>, cycles: &mut ThreadCycles) -> bool {
+        let Tables { fetches, fetch_shift, units, start, end } = tables;
+        let (mut now, mut held, mut pc) = (self.time, self.held, self.pc as usize);
+        let (mut issued, mut nops) = (0u32, 0u32);
+        let found = loop {
+            if now >= end {
+                break false;
+            }
+            let op = &ops[pc];
+            let slot = (now - start) as usize % QUANTUM;
+            if !held {
+                let left = &mut fetches[(slot << fetch_shift) + usize::from(op.bank)];
+                if *left == 0 {
+                    cycles.fetch += 1;
+                    now += 1;
+                    continue;
+                }
+                *left -= 1;
+                held = true;
+            }
+            let [a, b, c] = op.reads.map(|register| self.ready[usize::from(register) % ENTRIES]);
+            let at = a.max(b).max(c);
+            if at > now {
+                if at == UNKNOWN {
+                    self.state = State::Parked;
+                    break false;
+                }
+                cycles.data += u64::from(at - now);
+                now = at;
+                continue;
+            }
+            let left = &mut units[slot][usize::from(op.pool) % POOL_ENTRIES];
+            if *left == 0 {
+                cycles.units += 1;
+                now += 1;
+                continue;
+            }
+            if !op.simple {
+                break true;
+            }
+            *left -= 1;
+            issued += 1;
+            nops += u32::from(op.kind == Kind::Nop);
+            self.ready[usize::from(op.write) % ENTRIES] = now + u32::from(op.latency);
+            self.last_issue = now;
+            now += 1;
+            held = false;
+            pc += 1;
+        };
+        (self.time, self.held, self.pc) = (now, held, pc as u32);
+        cycles.issue += u64::from(issued);
+        cycles.nop += u64::from(nops);
+        found
+    }
+
+    /// The thread waits for an operand until cycle `at`; whether that is known.
+    fn waits(&mut self, at: u32, cycles: &mut ThreadCycles) -> bool {
+        if at == UNKNOWN {
+            self.state = State::Parked;
+            return false;
+        }
+        cycles.data += u64::from(at - self.time);
+        self.time = at;
+        true
+    }
+
     /// Goes to the run that the tape is at.
     #[inline(always)]
     fn enter(&mut self, program: &Program) {
@@ -427,10 +501,10 @@ impl Thread {
         address: u32,
         line_words: u32,
     ) -> &'p [Register] {
-        if op.more_writes.1 == 0 {
+        if op.operands == 0 {
             return std::slice::from_ref(&op.write);
         }
-        let registers = &program.kept(op.more_writes)[usize::from(self.part)..];
+        let registers = &program.operands_of(op).writes[usize::from(self.part)..];
         let to_the_end = (line_words - address % line_words) as usize;
         &registers[..registers.len().min(to_the_end)]
     }
@@ -442,7 +516,7 @@ impl Thread {
             self.ready[usize::from(register) % ENTRIES] = ready;
         }
         self.part += registers.len() as u8;
-        if self.part < op.more_writes.1 {
+        if usize::from(self.part) < program.operands_of(op).writes.len() {
             return false;
         }
         self.part = 0;
@@ -450,16 +524,16 @@ impl Thread {
     }
 
     #[cold]
-    fn write_more(&mut self, program: &Program, op: &MicroOp, ready: u32) {
-        for &register in program.kept(op.more_writes) {
+    fn write_all(&mut self, program: &Program, op: &MicroOp, ready: u32) {
+        self.ready[usize::from(op.write) % ENTRIES] = ready;
+        for &register in &program.operands_of(op).writes {
             self.ready[usize::from(register) % ENTRIES] = ready;
         }
     }
 
     /// When the further registers can be used that an operation waits for.
     fn more_ready(&self, program: &Program, op: &MicroOp) -> u32 {
-        let ready =
-            program.kept(op.more_reads).iter().map(|register| self.ready[usize::from(*register) % ENTRIES]);
-        ready.max().unwrap_or(0)
+        let reads = &program.operands_of(op).reads;
+        reads.iter().map(|register| self.ready[usize::from(*register) % ENTRIES]).max().unwrap_or(0)
     }
 }

@@ -34,6 +34,8 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct MicroOp {
+    /// Whether waiting for its operands and its unit and writing its result is all there is to do.
+    pub simple: bool,
     /// Index of the unit pool, see [`pool_of`].
     pub pool: u8,
     /// What else there is to do.
@@ -54,10 +56,17 @@ pub struct MicroOp {
     pub base: u8,
     /// Words behind that address.
     pub offset: u16,
-    /// All registers written, where there are several: start and length in [`Program::registers`].
-    pub more_writes: (u16, u8),
-    /// Further registers that it waits for: start and length in [`Program::registers`].
-    pub more_reads: (u16, u8),
+    /// Index of its further operands in [`Program::operands`]; 0 for none.
+    pub operands: u16,
+}
+
+/// Registers of an operation that do not fit in it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Operands {
+    /// All registers written, where there are several.
+    pub writes: Vec<Register>,
+    /// Registers that it waits for beyond the first three.
+    pub reads: Vec<Register>,
 }
 
 /// Written by operations without result.
@@ -100,8 +109,8 @@ pub struct Program {
     pub bases: Vec<String>,
     /// Names of conditions.
     pub conditions: Vec<String>,
-    /// Registers of operations that read more than three or write several.
-    pub registers: Vec<Register>,
+    /// Registers of operations that read more than three or write several; the first are those of all others.
+    pub operands: Vec<Operands>,
     entries: Vec<Entry>,
     pipeline_latency_cycles: u32,
 }
@@ -171,7 +180,7 @@ impl Program {
             runs: vec![],
             bases: vec![],
             conditions: vec![],
-            registers: vec![],
+            operands: vec![Operands::default()],
             entries: vec![],
             pipeline_latency_cycles,
         };
@@ -318,6 +327,9 @@ impl Program {
         }
         let length = self.ops.len() as u32 - first;
         self.ops.last_mut().expect("a run is not empty").last = true;
+        for op in &mut self.ops[first as usize..] {
+            op.simple = matches!(op.kind, Kind::Plain | Kind::Nop) && op.operands == 0 && !op.last;
+        }
         self.runs.push(Run { first, length, bases, next });
         self.runs.len() as RunId - 1
     }
@@ -332,9 +344,16 @@ impl Program {
         };
         let mut reads = [ZERO; 3];
         reads.iter_mut().zip(&decoded.reads).for_each(|(slot, register)| *slot = *register);
-        let more_reads = self.keep(decoded.reads.get(reads.len()..).unwrap_or_default());
-        let more_writes = self.keep(if decoded.writes.len() > 1 { &decoded.writes } else { &[] });
+        let further = Operands {
+            writes: if decoded.writes.len() > 1 { decoded.writes.clone() } else { vec![] },
+            reads: decoded.reads.get(reads.len()..).unwrap_or_default().to_vec(),
+        };
+        let operands = self.operands.iter().position(|known| *known == further).unwrap_or_else(|| {
+            self.operands.push(further);
+            self.operands.len() - 1
+        });
         MicroOp {
+            simple: false,
             pool: pool_of(decoded.place),
             kind: match decoded.place {
                 Place::Nop => Kind::Nop,
@@ -351,8 +370,7 @@ impl Program {
             latency: latency as u8,
             base: 0,
             offset: 0,
-            more_writes,
-            more_reads,
+            operands: operands as u16,
         }
     }
 
@@ -392,16 +410,11 @@ impl Program {
         entry.runs[index]
     }
 
-    /// Registers kept by [`MicroOp::more_writes`] or [`MicroOp::more_reads`].
+    /// The further operands of `op`.
+    #[inline(always)]
     #[must_use]
-    pub fn kept(&self, (start, length): (u16, u8)) -> &[Register] {
-        &self.registers[usize::from(start)..][..usize::from(length)]
-    }
-
-    fn keep(&mut self, registers: &[Register]) -> (u16, u8) {
-        let start = self.registers.len() as u16;
-        self.registers.extend(registers);
-        (start, registers.len() as u8)
+    pub fn operands_of(&self, op: &MicroOp) -> &Operands {
+        &self.operands[usize::from(op.operands)]
     }
 
     /// The operations of a run.
