@@ -8,6 +8,9 @@
 pub mod aig;
 pub mod aiger;
 pub mod blast;
+pub mod liberty;
+pub mod map;
 mod multiply;
+pub mod prove;
 pub mod simulate;
 pub mod words;

@@ -67,7 +67,7 @@ fn every_structure() {
         for multiplier in [Multiplier::Tree, Multiplier::Booth] {
             for arrays in [Arrays::Whole, Arrays::AsWritten] {
                 let structures = Structures { adder, multiplier };
-                let options = Options { structures, arrays, keep_units: true };
+                let options = Options { structures, arrays, keep_units: true, cuts: &[] };
                 for top in [Top::FpAdd, Top::FpMul, Top::DualSplit] {
                     compare(top, StandardFormat::Binary32, options, 60);
                 }
