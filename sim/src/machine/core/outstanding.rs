@@ -38,9 +38,10 @@ impl Outstanding {
         self.entries.iter().find(|entry| entry.line == line).map(|entry| entry.arrival)
     }
 
-    /// Notes that `line` is under way.
+    /// Notes that `line` is under way, in the place of what is known about it.
     #[inline]
     pub fn insert(&mut self, line: u32, arrival: u32) {
+        self.remove(line);
         self.entries.push(Entry { line, arrival, first: NONE });
     }
 
@@ -60,18 +61,28 @@ impl Outstanding {
         entry.first = slot;
     }
 
-    /// Removes `line`, which has arrived, and passes everyone who waited for it.
+    /// It is known now that `line` arrives in cycle `arrival`; passes everyone who waits for it. False if nobody has asked.
     #[inline]
-    pub fn remove(&mut self, line: u32, mut wake: impl FnMut(Waiter)) {
-        let Some(at) = self.entries.iter().position(|entry| entry.line == line) else {
-            return;
+    pub fn arrives(&mut self, line: u32, arrival: u32, mut wake: impl FnMut(Waiter)) -> bool {
+        let Some(entry) = self.entries.iter_mut().find(|entry| entry.line == line) else {
+            return false;
         };
-        let mut slot = self.entries.swap_remove(at).first;
+        entry.arrival = arrival;
+        let mut slot = std::mem::replace(&mut entry.first, NONE);
         while slot != NONE {
             let (waiter, next) = self.waiters[slot as usize];
             wake(waiter);
             self.free.push(slot);
             slot = next;
+        }
+        true
+    }
+
+    /// Removes `line`, which has arrived.
+    #[inline]
+    pub fn remove(&mut self, line: u32) {
+        if let Some(at) = self.entries.iter().position(|entry| entry.line == line) {
+            self.entries.swap_remove(at);
         }
     }
 }

@@ -40,6 +40,8 @@ pub struct MicroOp {
     pub kind: Kind,
     /// Whether a run ends here.
     pub last: bool,
+    /// Whether it reaches the thread's local store.
+    pub local_store: bool,
     /// Bank of the instruction cache.
     pub bank: u8,
     /// Registers that it waits for; [`ZERO`] is always ready.
@@ -53,7 +55,7 @@ pub struct MicroOp {
     /// Words behind that address.
     pub offset: u16,
     /// Further registers written: start and length in [`Program::more_writes`].
-    pub more_writes: (u16, u16),
+    pub more_writes: (u16, u8),
 }
 
 /// Written by operations without result.
@@ -325,13 +327,14 @@ impl Program {
                 _ => Kind::Plain,
             },
             last: false,
+            local_store: decoded.place == Place::LocalStore,
             bank: (at as u32 & (machine.icache.banks - 1)) as u8,
             reads,
             write: decoded.writes.first().copied().unwrap_or(SINK),
             latency: latency as u8,
             base: 0,
             offset: 0,
-            more_writes: (start, self.more_writes.len() as u16 - start),
+            more_writes: (start, (self.more_writes.len() - usize::from(start)) as u8),
         }
     }
 
