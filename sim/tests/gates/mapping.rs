@@ -10,7 +10,8 @@ use std::path::PathBuf;
 
 /// The libraries beside the repository, if any.
 fn libraries() -> Vec<Library> {
-    let Some(folder) = std::env::var_os("DUALSPLIT_DATA").map(|data| PathBuf::from(data).join("liberty")) else {
+    let Some(folder) = std::env::var_os("DUALSPLIT_DATA").map(|data| PathBuf::from(data).join("liberty"))
+    else {
         println!("skipped: DUALSPLIT_DATA is not set");
         return Vec::new();
     };
@@ -22,19 +23,24 @@ fn libraries() -> Vec<Library> {
             groups.entry(name[..4].to_owned()).or_default().push(path);
         }
     }
-    groups
-        .into_values()
-        .map(|mut paths| {
-            paths.sort();
-            liberty::load(&paths).unwrap()
-        })
-        .collect()
+    let mut all: Vec<Library> = vec![liberty::embedded()];
+    all.extend(groups.into_values().map(|mut paths| {
+        paths.sort();
+        liberty::load(&paths).unwrap()
+    }));
+    all
 }
 
 #[test]
 fn mapped_units_are_proved_equal() {
     for library in libraries() {
-        println!("{}: {} cells, 1 GE = {} um2, FF {:?}", library.name, library.cells.len(), library.gate_equivalent_um2(), library.flip_flop.name);
+        println!(
+            "{}: {} cells, 1 GE = {} um2, FF {:?}",
+            library.name,
+            library.cells.len(),
+            library.gate_equivalent_um2(),
+            library.flip_flop.name
+        );
         for top in [Top::FpAdd, Top::FpMul, Top::FpMinMax, Top::FpCmp, Top::DualSplit, Top::RayBox] {
             let design = top.design(StandardFormat::Binary32).unwrap();
             let flat = flatten(&design).unwrap();
@@ -43,9 +49,20 @@ fn mapped_units_are_proved_equal() {
             let mapped = map(&aig, &library).unwrap();
             let took = start.elapsed().as_secs_f64();
             let area: f64 = mapped.gates.iter().map(|gate| library.cells[gate.cell].area_um2).sum();
-            let glue: f64 = mapped.gates.iter().filter(|gate| gate.origin.region == 0).map(|gate| library.cells[gate.cell].area_um2).sum();
-            println!("{top}: {} ands, {} cells, {area:.0} um2, glue {glue:.0}, {took:.2} s", aig.and_count(), mapped.gates.len());
-            if top == Top::RayBox { continue; }
+            let glue: f64 = mapped
+                .gates
+                .iter()
+                .filter(|gate| gate.origin.region == 0)
+                .map(|gate| library.cells[gate.cell].area_um2)
+                .sum();
+            println!(
+                "{top}: {} ands, {} cells, {area:.0} um2, glue {glue:.0}, {took:.2} s",
+                aig.and_count(),
+                mapped.gates.len()
+            );
+            if top == Top::RayBox {
+                continue;
+            }
             let miter = Miter::new(&aig, &mapped.function(&aig, &library)).unwrap();
             let start = std::time::Instant::now();
             let proof = miter.prove(Limits::default());

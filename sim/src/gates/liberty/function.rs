@@ -92,7 +92,9 @@ impl Parser<'_> {
             match name {
                 "0" => 0,
                 "1" => !0,
-                _ => variable(self.inputs.iter().position(|input| *input == name).filter(|&i| i < MAX_INPUTS)?),
+                _ => {
+                    variable(self.inputs.iter().position(|input| *input == name).filter(|&i| i < MAX_INPUTS)?)
+                }
             }
         };
         while self.take(&['\'']) {

@@ -31,7 +31,9 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
         let in_file = |error| LibertyError::In { path: path.to_path_buf(), error: Box::new(error) };
         let group = parse(text).map_err(in_file)?;
         let volts = number(group.value("nom_voltage"));
-        let volts = volts.ok_or(LibertyError::Syntax { line: group.line, what: "no nom_voltage" }).map_err(in_file)?;
+        let volts = volts
+            .ok_or(LibertyError::Syntax { line: group.line, what: "no nom_voltage" })
+            .map_err(in_file)?;
         if voltage_v.is_some_and(|known| known != volts) {
             return Err(LibertyError::Mixed("nom_voltage"));
         }
@@ -41,6 +43,10 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
         }
         let context = Context::new(&group).map_err(in_file)?;
         for cell in group.of_kind("cell") {
+            // Clock gates are mostly closed to synthesis, and open to the clock tree.
+            if let Some(found) = sequential::clock_gate(&context, cell) {
+                gates.push(found);
+            }
             if cell.value("dont_use") == Some("true") {
                 continue;
             }
@@ -53,8 +59,6 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
                 cells.push(found);
             } else if let Some(found) = sequential::flip_flop(&context, cell) {
                 flip_flops.push(found);
-            } else if let Some(found) = sequential::clock_gate(&context, cell) {
-                gates.push(found);
             }
         }
     }
@@ -62,7 +66,8 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
     flip_flops.sort_by(|a, b| a.area_um2.total_cmp(&b.area_um2).then_with(|| a.name.cmp(&b.name)));
     gates.sort_by(|a, b| a.area_um2.total_cmp(&b.area_um2).then_with(|| a.name.cmp(&b.name)));
     let flip_flop = flip_flops.into_iter().next().ok_or(LibertyError::Missing("rising-edge D flip-flop"))?;
-    let source = files.first().map(|(path, _)| path.file_name().unwrap_or_default().to_string_lossy().into_owned());
+    let source =
+        files.first().map(|(path, _)| path.file_name().unwrap_or_default().to_string_lossy().into_owned());
     let node_nm = known_node(&name);
     let library = Library {
         source: source.unwrap_or_default(),
@@ -75,7 +80,8 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
         name,
     };
     let (a, b) = (function::variable(0), function::variable(1));
-    for (what, inputs, table) in [("inverter", 1, !a), ("two-input NAND gate", 2, !(a & b)), ("buffer", 1, a)] {
+    for (what, inputs, table) in [("inverter", 1, !a), ("two-input NAND gate", 2, !(a & b)), ("buffer", 1, a)]
+    {
         if library.smallest(inputs, table).is_none() {
             return Err(LibertyError::Missing(what));
         }
@@ -85,7 +91,8 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
 
 /// Feature size of the libraries that are known by name.
 fn known_node(name: &str) -> Option<u32> {
-    let known = [("sky130", 130), ("sg13g2", 130), ("nangate", 45), ("freepdk45", 45), ("asap7", 7), ("osu018", 180)];
+    let known =
+        [("sky130", 130), ("sg13g2", 130), ("nangate", 45), ("freepdk45", 45), ("asap7", 7), ("osu018", 180)];
     let name = name.to_ascii_lowercase();
     known.into_iter().find(|(part, _)| name.contains(part)).map(|(_, node)| node)
 }
@@ -148,7 +155,9 @@ impl<'t> Context<'t> {
                 let turned = (0..values.len()).map(|i| values[(i % rows) * columns + i / rows]).collect();
                 Table::new(in_ns(slews), in_ff(loads), turned)
             }
-            (Some(slews), _, false) if values.len() == slews.len() => Table::new(in_ns(slews), vec![], values),
+            (Some(slews), _, false) if values.len() == slews.len() => {
+                Table::new(in_ns(slews), vec![], values)
+            }
             (Some(loads), _, true) if values.len() == loads.len() => Table::new(vec![], in_ff(loads), values),
             _ => None,
         }
@@ -189,13 +198,17 @@ fn tie(cell: &Group) -> Option<(usize, (String, f64))> {
 
 pub(super) fn capacitance(context: &Context, pin: &Group) -> f64 {
     let given = |name: &str| number(pin.value(name)).map(|value| value * context.capacitance_ff);
-    let mean = given("rise_capacitance").zip(given("fall_capacitance")).map(|(rise, fall)| f64::midpoint(rise, fall));
+    let mean = given("rise_capacitance")
+        .zip(given("fall_capacitance"))
+        .map(|(rise, fall)| f64::midpoint(rise, fall));
     given("capacitance").or(mean).unwrap_or(0.0)
 }
 
 pub(super) fn leakage(context: &Context, cell: &Group) -> f64 {
     let states: Vec<f64> = (cell.of_kind("leakage_power"))
-        .filter(|group| !group.value("related_pg_pin").is_some_and(|pin| pin.to_ascii_uppercase().contains("VSS")))
+        .filter(|group| {
+            !group.value("related_pg_pin").is_some_and(|pin| pin.to_ascii_uppercase().contains("VSS"))
+        })
         .filter_map(|group| number(group.value("value")))
         .collect();
     let mean = (!states.is_empty()).then(|| states.iter().sum::<f64>() / states.len() as f64);
@@ -213,7 +226,8 @@ pub(super) fn is_input(pin: &Group) -> bool {
 
 /// A cell with one output that is a function of up to six inputs, with complete tables.
 fn combinational(context: &Context, cell: &Group) -> Option<Cell> {
-    let is_state = |group: &Group| matches!(group.kind, "ff" | "latch" | "statetable" | "ff_bank" | "latch_bank");
+    let is_state =
+        |group: &Group| matches!(group.kind, "ff" | "latch" | "statetable" | "ff_bank" | "latch_bank");
     if cell.groups.iter().any(is_state) || cell.value("clock_gating_integrated_cell").is_some() {
         return None;
     }
@@ -229,7 +243,8 @@ fn combinational(context: &Context, cell: &Group) -> Option<Cell> {
     if (0..names.len()).any(|input| !depends_on(function, input)) {
         return None;
     }
-    let arcs: Option<Vec<Arc>> = names.iter().map(|name| arc(context, output, name, is_combinational)).collect();
+    let arcs: Option<Vec<Arc>> =
+        names.iter().map(|name| arc(context, output, name, is_combinational)).collect();
     Some(Cell {
         name: cell.name().to_owned(),
         area_um2: number(cell.value("area"))?,
@@ -238,7 +253,8 @@ fn combinational(context: &Context, cell: &Group) -> Option<Cell> {
         inputs: names.into_iter().map(str::to_owned).collect(),
         output: output.name().to_owned(),
         function,
-        max_load_ff: number(output.value("max_capacitance")).map_or(f64::INFINITY, |x| x * context.capacitance_ff),
+        max_load_ff: number(output.value("max_capacitance"))
+            .map_or(f64::INFINITY, |x| x * context.capacitance_ff),
         arcs: arcs?,
     })
 }
@@ -254,8 +270,11 @@ pub(super) fn arc(
     from: &str,
     wanted: impl Fn(&Group) -> bool,
 ) -> Option<Arc> {
-    let relates = |group: &&Group| group.value("related_pin").is_some_and(|pins| pins.split_whitespace().any(|pin| pin == from));
-    let timings: Vec<&Group> = output.of_kind("timing").filter(relates).filter(|timing| wanted(timing)).collect();
+    let relates = |group: &&Group| {
+        group.value("related_pin").is_some_and(|pins| pins.split_whitespace().any(|pin| pin == from))
+    };
+    let timings: Vec<&Group> =
+        output.of_kind("timing").filter(relates).filter(|timing| wanted(timing)).collect();
     // The slowest condition stands for all in timing: the first with each table, which libraries list as default, else any.
     let default = timings.iter().find(|timing| timing.value("when").is_none()).or_else(|| timings.first())?;
     let table = |kind: &str| context.table(default, kind, context.time_ns);
@@ -274,7 +293,11 @@ pub(super) fn arc(
     let chosen = power.iter().find(|group| group.value("when").is_none()).or_else(|| power.first());
     let energy = |kind: &str| {
         chosen
-            .and_then(|group| context.table(group, kind, context.energy_fj).or_else(|| context.table(group, "power", context.energy_fj)))
+            .and_then(|group| {
+                context
+                    .table(group, kind, context.energy_fj)
+                    .or_else(|| context.table(group, "power", context.energy_fj))
+            })
             .unwrap_or_else(|| Table::constant(0.0))
     };
     Some(Arc {

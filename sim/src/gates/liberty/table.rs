@@ -40,7 +40,11 @@ impl Table {
         let width = self.loads.len().max(1);
         let value = |row: usize, column: usize| self.values[row * width + column];
         let along = |row: usize| {
-            if t == 0.0 { value(row, column) } else { value(row, column) * (1.0 - t) + value(row, column + 1) * t }
+            if t == 0.0 {
+                value(row, column)
+            } else {
+                value(row, column) * (1.0 - t) + value(row, column + 1) * t
+            }
         };
         if s == 0.0 { along(row) } else { along(row) * (1.0 - s) + along(row + 1) * s }
     }
@@ -61,7 +65,8 @@ mod tests {
 
     #[test]
     fn bilinear_inside_and_linear_beyond() {
-        let table = Table::new(vec![0.0, 1.0], vec![0.0, 10.0, 20.0], vec![0.0, 1.0, 4.0, 2.0, 3.0, 6.0]).unwrap();
+        let table =
+            Table::new(vec![0.0, 1.0], vec![0.0, 10.0, 20.0], vec![0.0, 1.0, 4.0, 2.0, 3.0, 6.0]).unwrap();
         assert_eq!(table.at(0.0, 10.0), 1.0);
         assert_eq!(table.at(0.5, 5.0), 1.5);
         assert_eq!(table.at(0.0, 30.0), 7.0);

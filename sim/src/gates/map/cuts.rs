@@ -77,7 +77,9 @@ pub fn enumerate(aig: &Aig, patterns: &Patterns) -> Vec<Vec<Cut>> {
             b.1.cmp(&a.1).then(a.0.total_cmp(&b.0)).then_with(|| a.2.leaves().cmp(b.2.leaves()))
         });
         // The cut of the operands is kept in any case: a cell of two inputs covers it.
-        let direct = cuts.iter().position(|(_, _, cut)| cut.leaves().iter().all(|&leaf| leaf as usize == a.node() || leaf as usize == b.node()));
+        let direct = cuts.iter().position(|(_, _, cut)| {
+            cut.leaves().iter().all(|&leaf| leaf as usize == a.node() || leaf as usize == b.node())
+        });
         if let Some(position) = direct.filter(|&position| position >= MOST_CUTS) {
             cuts.swap(MOST_CUTS - 1, position);
         }

@@ -20,7 +20,9 @@ use super::liberty::Library;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MapError {
     /// No cell covers a node.
-    #[error("library {library} has no cell for node {node}: it lacks gates of two inputs; add the file that has them")]
+    #[error(
+        "library {library} has no cell for node {node}: it lacks gates of two inputs; add the file that has them"
+    )]
     Uncovered {
         /// The library.
         library: String,

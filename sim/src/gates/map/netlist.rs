@@ -80,7 +80,9 @@ pub fn build(aig: &Aig, library: &Library, cover: &Cover) -> Result<Mapped, MapE
         literals: (0..nets as u32).map(Lit::from_code).collect(),
     };
     for value in [Lit::FALSE, Lit::TRUE] {
-        if aig.outputs.iter().any(|output| output.lit == value) && library.ties[value.code() as usize].is_none() {
+        if aig.outputs.iter().any(|output| output.lit == value)
+            && library.ties[value.code() as usize].is_none()
+        {
             return Err(MapError::NoTie { library: library.name.clone(), value: value.code() as u8 });
         }
     }
@@ -114,7 +116,11 @@ pub fn build(aig: &Aig, library: &Library, cover: &Cover) -> Result<Mapped, MapE
         }
     }
     mapped.clock_gating = (enables.into_iter())
-        .map(|(enable, registers)| ClockGating { enable, registers, gates: registers.div_ceil(REGISTERS_PER_GATE) })
+        .map(|(enable, registers)| ClockGating {
+            enable,
+            registers,
+            gates: registers.div_ceil(REGISTERS_PER_GATE),
+        })
         .collect();
     Ok(mapped)
 }
@@ -134,7 +140,9 @@ impl Mapped {
             let latch = &source.latches()[register.latch];
             nets[register.output as usize] = Some(aig.add_latch(latch.name.clone(), latch.initial));
         }
-        let value = |nets: &[Option<Lit>], net: u32| nets[net as usize].expect("cells are in order, and every net has a driver");
+        let value = |nets: &[Option<Lit>], net: u32| {
+            nets[net as usize].expect("cells are in order, and every net has a driver")
+        };
         for gate in &self.gates {
             let inputs: Vec<Lit> = gate.inputs.iter().map(|&net| value(&nets, net)).collect();
             let lit = expand(&mut aig, library.cells[gate.cell].function, &inputs);

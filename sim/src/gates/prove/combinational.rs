@@ -46,7 +46,8 @@ pub fn combinational(aig: &Aig, enable: &str) -> Result<Aig, CombinationalError>
             let waiting: Vec<usize> =
                 needs.iter().map(|lit| lit.node()).filter(|&node| map[node].is_none()).collect();
             if waiting.is_empty() {
-                let known = |lit: Lit| map[lit.node()].unwrap_or(Lit::FALSE).complement_if(lit.is_complemented());
+                let known =
+                    |lit: Lit| map[lit.node()].unwrap_or(Lit::FALSE).complement_if(lit.is_complemented());
                 let lit = match needs.as_slice() {
                     [a, b] => result.and(known(*a), known(*b)),
                     [data] => known(*data),

@@ -89,7 +89,8 @@ impl Miter {
         };
         let map = copy(&side, &mut self.aig, |node| source(&node));
         let through = |lit: Lit| map[lit.node()].complement_if(lit.is_complemented());
-        let outputs = side.outputs.iter().map(|output| (format!("output {}", output.name), through(output.lit)));
+        let outputs =
+            side.outputs.iter().map(|output| (format!("output {}", output.name), through(output.lit)));
         let latches = side.latches().iter().zip(&next);
         let states = latches.map(|(latch, &next)| (format!("next {}", latch.name), through(next)));
         outputs.chain(states).collect()

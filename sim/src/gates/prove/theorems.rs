@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use hdl::catalogue::{StandardFormat, Top};
 use golden::dst::header;
 use golden::fp::Format;
+use hdl::catalogue::{StandardFormat, Top};
 use hdl::netlist::{Design, ElaborateError, flatten};
 
 use super::combinational::{CombinationalError, combinational};
@@ -48,7 +48,8 @@ impl Theorem {
     #[must_use]
     pub fn case(&self, values: &[(String, bool)]) -> Self {
         let mut aig = Aig::default();
-        let free: Vec<Lit> = self.aig.inputs().iter().map(|input| aig.add_input(input.name.clone())).collect();
+        let free: Vec<Lit> =
+            self.aig.inputs().iter().map(|input| aig.add_input(input.name.clone())).collect();
         let map = copy(&self.aig, &mut aig, |node| {
             let Node::Input(input) = node else { return Lit::FALSE };
             let name = &self.aig.inputs()[input as usize].name;
@@ -144,7 +145,11 @@ impl Theorem {
 /// A design as a function of its inputs, in enabled cycles.
 fn function(design: &Design, cuts: &'static [Cut]) -> Result<Aig, TheoremError> {
     let options = Options {
-        structures: Structures { adder: Adder::Ripple, multiplier: Multiplier::Tree },
+        structures: Structures {
+            adder: Adder::Ripple,
+            multiplier: Multiplier::Tree,
+            ..Structures::default()
+        },
         arrays: Arrays::Whole,
         cuts,
         keep_units: false,

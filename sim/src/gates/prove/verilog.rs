@@ -62,7 +62,11 @@ pub fn exported(design: &Design, folder: &Path) -> Result<Miter, VerilogError> {
 pub fn compared(design: &Design, source: &str, folder: &Path) -> Result<Miter, VerilogError> {
     let flat = flatten(design)?;
     let options = Options {
-        structures: Structures { adder: Adder::BrentKung, multiplier: Multiplier::Tree },
+        structures: Structures {
+            adder: Adder::BrentKung,
+            multiplier: Multiplier::Tree,
+            ..Structures::default()
+        },
         arrays: Arrays::AsWritten,
         cuts: ARRAYS,
         keep_units: false,
@@ -125,9 +129,8 @@ fn synthesise(design: &Design, source: &str, folder: &Path) -> Result<Aig, Veril
     for array in &arrays {
         script += &format!("expose -evert {top}/t:{array}; ");
     }
-    script += &format!(
-        "techmap; dfflegalize -cell $_DFF_P_ 01; aigmap; opt_clean; write_aiger -symbols {gates}"
-    );
+    script +=
+        &format!("techmap; dfflegalize -cell $_DFF_P_ 01; aigmap; opt_clean; write_aiger -symbols {gates}");
     let output = Command::new("yosys")
         .args(["-q", "-p", &script])
         .current_dir(folder)

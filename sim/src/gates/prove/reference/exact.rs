@@ -121,7 +121,15 @@ fn round(
             overflow = aig.or(overflow, here);
             continue;
         }
-        choose(aig, here, magnitude, leading - fraction_bits, exponent, fraction_bits, (&mut body, &mut guard, &mut sticky));
+        choose(
+            aig,
+            here,
+            magnitude,
+            leading - fraction_bits,
+            exponent,
+            fraction_bits,
+            (&mut body, &mut guard, &mut sticky),
+        );
     }
     // A subnormal: no leading one in any of these.
     choose(aig, free, magnitude, below, 0, fraction_bits, (&mut body, &mut guard, &mut sticky));

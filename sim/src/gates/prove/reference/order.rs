@@ -37,7 +37,14 @@ pub fn compare(aig: &mut Aig, format: Format, a: &[Lit], b: &[Lit]) -> [Lit; 3] 
 }
 
 /// The lesser of two, or the greater if `maximum`; a NaN is dropped unless `propagate`, and any NaN result is canonical.
-pub fn min_max(aig: &mut Aig, format: Format, a: &[Lit], b: &[Lit], maximum: Lit, propagate: Lit) -> Vec<Lit> {
+pub fn min_max(
+    aig: &mut Aig,
+    format: Format,
+    a: &[Lit],
+    b: &[Lit],
+    maximum: Lit,
+    propagate: Lit,
+) -> Vec<Lit> {
     let (x, y) = (Parts::new(aig, format, a), Parts::new(aig, format, b));
     let (rank_a, rank_b) = (rank(aig, a), rank(aig, b));
     let a_first = below(aig, &rank_a, &rank_b);

@@ -5,11 +5,11 @@
 //! gates of those units, which have proofs of their own; folds are associated as in the hardware, as golden's are
 //! associative bit for bit.
 
-use golden::dst::header::{self, Field};
 use super::ADDER;
 use crate::gates::aig::{Aig, Lit, Node};
 use crate::gates::prove::copy;
 use crate::gates::words;
+use golden::dst::header::{self, Field};
 
 /// What the claims are made of: named words that exist, and claims about named words.
 pub struct Control<'a> {
@@ -163,10 +163,8 @@ impl Control<'_> {
 
         // A split's planes are of one axis.
         let negative = planes[0].1;
-        let (exit_t, entry_t) = (
-            self.mux(negative, &planes[1].2, &planes[0].2),
-            self.mux(negative, &planes[0].2, &planes[1].2),
-        );
+        let (exit_t, entry_t) =
+            (self.mux(negative, &planes[1].2, &planes[0].2), self.mux(negative, &planes[0].2, &planes[1].2));
         let near = Interval { start: here.start.clone(), end: self.min(&here.end, &exit_t) };
         let far = Interval { start: self.max(&here.start, &entry_t), end: here.end.clone() };
         let (near_hit, far_hit) = (self.is_not_empty(&near), self.is_not_empty(&far));
@@ -238,7 +236,9 @@ impl Control<'_> {
             slabs.push((near, far));
         }
         // In pairs: folds are associative and commutative.
-        let [(near_x, far_x), (near_y, far_y), (near_z, far_z)] = slabs.as_slice() else { unreachable!("three axes") };
+        let [(near_x, far_x), (near_y, far_y), (near_z, far_z)] = slabs.as_slice() else {
+            unreachable!("three axes")
+        };
         let (first, second) = (self.max(near_x, near_y), self.max(near_z, &t_min));
         let start = self.max(&first, &second);
         let (first, second) = (self.min(far_x, far_y), self.min(far_z, &t_max));
