@@ -1,6 +1,12 @@
-//! What the tool `dualsplit` is made of, as a library: pictures and their comparison, and traversal step by step.
+//! What the tool `dualsplit` is made of, as a library: pictures and their comparison, traversal step by step, the hardware
+//! as gates, its area and energy, and the machine that it is part of.
 
+pub mod estimate;
+pub mod gates;
 pub mod logic;
+pub mod machine;
 pub mod picture;
+pub mod plot;
+pub mod report;
 pub mod unit_costs;
 pub mod walk;
