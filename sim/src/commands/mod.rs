@@ -2,6 +2,7 @@
 
 mod check;
 mod compare;
+mod estimate;
 mod explain;
 mod export;
 mod render;
@@ -34,6 +35,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Check(args)) => check::run(args, global),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),
+        Some(Command::Estimate(args)) => estimate::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

@@ -4,7 +4,7 @@ use hdl::catalogue::MULTIPLIER_KINDS;
 use hdl::netlist::{BinaryOp, Design, Flat, FlatNode, NodeId, Op, ScopeId, UnaryOp};
 
 use super::aig::{Aig, Lit, Origin};
-use super::words::{self, Adder, Structures};
+use super::words::{self, Adder, Selection, Structures};
 use crate::unit_costs::Unit;
 
 /// What the multiplier arrays of a design become.
@@ -46,6 +46,9 @@ pub struct Options {
     /// Whether each execution unit is a region of its own, so that its gates can be told from those around it.
     pub keep_units: bool,
 }
+
+/// Narrowest words whose choice is worth conditions of its own.
+const LEAST_CHOICE_WIDTH: u32 = 8;
 
 /// A flattened netlist as gates.
 #[derive(Clone, Debug)]
@@ -97,6 +100,8 @@ struct Blaster<'n> {
     options: Options,
     /// Region of each instance.
     regions: Vec<u32>,
+    /// Multiplexers whose only use is to be what another one chooses otherwise.
+    is_inside_choice: Vec<bool>,
     /// For a node that carries the result of a module that is cut or an array: the operands' nodes and the instance.
     products: Vec<Option<Product>>,
     blasted: Blasted,
@@ -124,7 +129,26 @@ impl<'n> Blaster<'n> {
             first_latch: Vec::new(),
             cuts: Vec::new(),
         };
-        Self { flat, options, regions: units.iter().map(region).collect(), products, blasted }
+        let mut uses = vec![0; flat.nodes.len()];
+        let operands = flat.nodes.iter().flat_map(|node| node.op.operands());
+        let roots = flat.outputs.iter().map(|(_, node)| *node);
+        let states =
+            flat.registers.iter().flat_map(|register| std::iter::once(register.data).chain(register.enable));
+        operands.chain(roots).chain(states).for_each(|node: NodeId| uses[node.index()] += 1);
+        let mut is_inside_choice = vec![false; flat.nodes.len()];
+        for node in &flat.nodes {
+            if let Op::Mux { when_false, .. } = node.op
+                && options.structures.selection == Selection::AndOr
+                && uses[when_false.index()] == 1
+                && node.width >= LEAST_CHOICE_WIDTH
+                && flat.nodes[when_false.index()].scope == node.scope
+                && matches!(flat.nodes[when_false.index()].op, Op::Mux { .. })
+            {
+                is_inside_choice[when_false.index()] = true;
+            }
+        }
+        let regions = units.iter().map(region).collect();
+        Self { flat, options, regions, is_inside_choice, products, blasted }
     }
 
     fn run(mut self) -> Blasted {
@@ -158,6 +182,9 @@ impl<'n> Blaster<'n> {
             let word = match (self.products[position], node.op) {
                 (Some(product), _) => self.product(node.width, product, &mut cuts),
                 (None, Op::Register(_)) => continue,
+                // Part of a longer choice that is made at its end.
+                (None, Op::Mux { .. }) if self.is_inside_choice[position] => continue,
+                (None, Op::Mux { .. }) => self.choice(position),
                 (None, _) => self.node(node),
             };
             self.blasted.words[position] = word;
@@ -232,6 +259,30 @@ impl<'n> Blaster<'n> {
             .collect()
     }
 
+    /// A multiplexer with those that serve it alone.
+    fn choice(&mut self, position: usize) -> Vec<Lit> {
+        let mut choices = Vec::new();
+        let mut at = position;
+        let otherwise = loop {
+            let Op::Mux { select, when_true, when_false } = self.flat.nodes[at].op else {
+                unreachable!("a choice")
+            };
+            choices.push((select, when_true));
+            if !self.is_inside_choice[when_false.index()] {
+                break when_false;
+            }
+            at = when_false.index();
+        };
+        let Blasted { aig, words, .. } = &mut self.blasted;
+        let word = |id: NodeId| words[id.index()].as_slice();
+        if let [(select, when_true)] = choices.as_slice() {
+            return words::mux(aig, word(*select)[0], word(*when_true), word(otherwise));
+        }
+        let choices: Vec<(Lit, &[Lit])> =
+            choices.iter().map(|&(select, when_true)| (word(select)[0], word(when_true))).collect();
+        words::select_first(aig, &choices, word(otherwise))
+    }
+
     fn node(&mut self, node: &FlatNode) -> Vec<Lit> {
         let Blasted { aig, words, inputs, .. } = &mut self.blasted;
         let word = |id: NodeId| words[id.index()].as_slice();
@@ -256,9 +307,7 @@ impl<'n> Blaster<'n> {
                 }
             }
             Op::Binary(op, a, b) => binary(aig, structures, op, word(a), word(b), width),
-            Op::Mux { select, when_true, when_false } => {
-                words::mux(aig, word(select)[0], word(when_true), word(when_false))
-            }
+            Op::Mux { .. } => unreachable!("choices are made whole"),
             Op::Slice { of, low } => word(of)[low as usize..low as usize + width].to_vec(),
             Op::Concat { high, low } => [word(low), word(high)].concat(),
             Op::Extend { of, signed } => {

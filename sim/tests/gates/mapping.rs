@@ -23,13 +23,12 @@ fn libraries() -> Vec<Library> {
             groups.entry(name[..4].to_owned()).or_default().push(path);
         }
     }
-    groups
-        .into_values()
-        .map(|mut paths| {
-            paths.sort();
-            liberty::load(&paths).unwrap()
-        })
-        .collect()
+    let mut all: Vec<Library> = vec![liberty::embedded()];
+    all.extend(groups.into_values().map(|mut paths| {
+        paths.sort();
+        liberty::load(&paths).unwrap()
+    }));
+    all
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! rising-edge D flip-flop, the smallest latch-based clock gate, tables of delay, transition time and internal energy.
 //! Units are nanoseconds, femtofarads, femtojoules, square micrometres and nanowatts, whatever the file's.
 
+mod embedded;
 pub mod function;
 mod read;
 mod sequential;
@@ -12,6 +13,7 @@ mod table;
 
 use std::path::{Path, PathBuf};
 
+pub use embedded::embedded;
 pub use read::read;
 pub use table::Table;
 
@@ -112,8 +114,6 @@ pub struct FlipFlop {
     pub data_ff: f64,
     /// Capacitance of the clock input.
     pub clock_ff: f64,
-    /// Whether the output is the complement of what was stored.
-    pub inverted: bool,
     /// From clock to output; its energies are those of an output change.
     pub arc: Arc,
     /// Energy of a clock cycle in which the output stays, inside the cell.
@@ -208,7 +208,11 @@ pub fn load(paths: &[PathBuf]) -> Result<Library, LibertyError> {
     read(&named)
 }
 
-fn file_text(path: &Path) -> Result<String, LibertyError> {
+/// The text of a file, plain or gzip-compressed.
+///
+/// # Errors
+/// [`LibertyError::File`] when it cannot be read.
+pub fn file_text(path: &Path) -> Result<String, LibertyError> {
     use std::io::Read;
     let failed = |source| LibertyError::File { path: path.to_owned(), source };
     let bytes = std::fs::read(path).map_err(failed)?;

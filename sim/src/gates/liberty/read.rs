@@ -43,6 +43,10 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
         }
         let context = Context::new(&group).map_err(in_file)?;
         for cell in group.of_kind("cell") {
+            // Clock gates are mostly closed to synthesis, and open to the clock tree.
+            if let Some(found) = sequential::clock_gate(&context, cell) {
+                gates.push(found);
+            }
             if cell.value("dont_use") == Some("true") {
                 continue;
             }
@@ -55,8 +59,6 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
                 cells.push(found);
             } else if let Some(found) = sequential::flip_flop(&context, cell) {
                 flip_flops.push(found);
-            } else if let Some(found) = sequential::clock_gate(&context, cell) {
-                gates.push(found);
             }
         }
     }

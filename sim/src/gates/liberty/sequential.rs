@@ -15,14 +15,10 @@ pub(super) fn flip_flop(context: &Context, cell: &Group) -> Option<FlipFlop> {
     let pin = |name: &str| cell.of_kind("pin").find(|pin| pin.name() == name).filter(|pin| is_input(pin));
     // Scan multiplexers and enables make the next state an expression, a falling edge the clock.
     let (clock_pin, data_pin) = (pin(clock)?, pin(data)?);
-    let (stored, complement) = (state.names.first()?, state.names.get(1).copied().unwrap_or_default());
-    let outputs = || cell.of_kind("pin").filter(|pin| is_output(pin));
-    let of_state = |name: &str| outputs().find(|pin| pin.value("function").map(str::trim) == Some(name));
-    // Some libraries store the complement and invert it behind: next_state "!D" is such an expression.
-    let (output, inverted) = match of_state(stored) {
-        Some(output) => (output, false),
-        None => (of_state(complement)?, true),
-    };
+    let stored = state.names.first()?;
+    // A cell with the complement alone would need an inverter behind it.
+    let mut outputs = cell.of_kind("pin").filter(|pin| is_output(pin));
+    let output = outputs.find(|pin| pin.value("function").map(str::trim) == Some(stored))?;
     let arc = arc(context, output, clock, |timing| timing.value("timing_type") == Some("rising_edge"))?;
     let setup = (data_pin.of_kind("timing"))
         .filter(|timing| timing.value("timing_type") == Some("setup_rising"))
@@ -38,7 +34,6 @@ pub(super) fn flip_flop(context: &Context, cell: &Group) -> Option<FlipFlop> {
         data: data.to_owned(),
         data_ff: capacitance(context, data_pin),
         clock_ff: capacitance(context, clock_pin),
-        inverted,
         arc,
         clock_energy_fj: clock_energy(context, clock_pin),
         setup_ns: setup,

@@ -145,7 +145,11 @@ impl Theorem {
 /// A design as a function of its inputs, in enabled cycles.
 fn function(design: &Design, cuts: &'static [Cut]) -> Result<Aig, TheoremError> {
     let options = Options {
-        structures: Structures { adder: Adder::Ripple, multiplier: Multiplier::Tree },
+        structures: Structures {
+            adder: Adder::Ripple,
+            multiplier: Multiplier::Tree,
+            ..Structures::default()
+        },
         arrays: Arrays::Whole,
         cuts,
         keep_units: false,

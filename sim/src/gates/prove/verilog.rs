@@ -62,7 +62,11 @@ pub fn exported(design: &Design, folder: &Path) -> Result<Miter, VerilogError> {
 pub fn compared(design: &Design, source: &str, folder: &Path) -> Result<Miter, VerilogError> {
     let flat = flatten(design)?;
     let options = Options {
-        structures: Structures { adder: Adder::BrentKung, multiplier: Multiplier::Tree },
+        structures: Structures {
+            adder: Adder::BrentKung,
+            multiplier: Multiplier::Tree,
+            ..Structures::default()
+        },
         arrays: Arrays::AsWritten,
         cuts: ARRAYS,
         keep_units: false,
