@@ -267,9 +267,16 @@ pub struct CheckArgs {
     /// The unit or pipeline [default: all].
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Option<Top>,
-    /// Cycles to run through each, stalls and bubbles included.
+    /// Operations to compare for each, besides stalls and bubbles.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
+    /// Compare all pairs of operands of a format of at most 16 bits instead, in every mode of the unit: add, sub, mul, min,
+    /// max, lt, le or eq.
+    #[arg(long, num_args = 2, value_names = ["FORMAT", "OP"], conflicts_with_all = ["unit", "vectors", "prove"])]
+    pub exhaustive: Option<Vec<String>>,
+    /// Where an interrupted exhaustive check continues from [default: check-FORMAT-OP.json]; removed when all is done.
+    #[arg(long, value_name = "FILE", requires = "exhaustive")]
+    pub state: Option<PathBuf>,
     /// Prove instead, for all inputs and states: units and control against independent references, and the exported
     /// Verilog, read back by yosys if that is installed, against the simulated graph.
     #[arg(long)]

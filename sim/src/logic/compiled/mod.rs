@@ -303,6 +303,29 @@ impl Engine for Compiled {
         self.set(self.program.inputs[input].slot, lane, value as u64);
     }
 
+    fn drive(&mut self, input: usize, values: &[u32]) {
+        let values: &[u32; LANES] = values.try_into().expect("a value for each lane");
+        match self.program.inputs[input].slot {
+            Slot::Bit(bit) => {
+                let lanes = values.iter().zip(0..).map(|(value, lane)| (value & 1) << lane);
+                self.bits[bit].0 = lanes.fold(0, |bits, lane| bits | lane as u16);
+            }
+            Slot::Word(row, _) => self.rows[row].0 = *values,
+            slot @ Slot::Double(..) => panic!("{slot:?} is wider than 32 bits"),
+        }
+    }
+
+    fn read(&self, output: usize, values: &mut [u32]) {
+        let values: &mut [u32; LANES] = values.try_into().expect("room for each lane");
+        match self.program.outputs[output].slot {
+            Slot::Bit(bit) => {
+                let bits = self.bits[bit].0;
+                values.iter_mut().zip(0..).for_each(|(value, lane)| *value = u32::from(bits >> lane & 1));
+            }
+            Slot::Word(row, _) | Slot::Double(row, _) => *values = self.rows[row].0,
+        }
+    }
+
     #[inline]
     fn settle(&mut self) {
         // SAFETY: the instruction set was found to be available when this was made.
