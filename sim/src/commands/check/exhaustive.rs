@@ -33,7 +33,8 @@ pub fn run(arguments: &[String], state: Option<&Path>) -> anyhow::Result<Report>
     let format: StandardFormat = format.parse()?;
     let operation: Operation = operation.parse().map_err(anyhow::Error::msg)?;
     let check = Exhaustive::new(format, operation)?;
-    let path = state.map_or_else(|| PathBuf::from(format!("check-{format}-{operation}.json")), Path::to_owned);
+    let path =
+        state.map_or_else(|| PathBuf::from(format!("check-{format}-{operation}.json")), Path::to_owned);
     let mut done = resume(&path, &check)?;
     let (before, start) = (done.vectors, Instant::now());
     let bar = progress(check.blocks(), format!("{format} {operation}"));
@@ -83,7 +84,9 @@ fn resume(path: &Path, check: &Exhaustive) -> anyhow::Result<Progress> {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(fresh),
         Err(error) => return Err(error).with_context(|| format!("{}: cannot be read", path.display())),
     };
-    let remedy = || format!("{}: not the state of this check; remove it, or name another with --state", path.display());
+    let remedy = || {
+        format!("{}: not the state of this check; remove it, or name another with --state", path.display())
+    };
     let found: Progress = serde_json::from_str(&text).with_context(remedy)?;
     if found.format != fresh.format || found.operation != fresh.operation || found.blocks > check.blocks() {
         bail!(remedy());

@@ -20,7 +20,7 @@ use std::fmt;
 /// Instructions that the compiled functions use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InstructionSet {
-    /// AVX-512 F, BW and DQ.
+    /// AVX-512 F, BW, CD and DQ.
     Avx512,
     /// AVX2.
     Avx2,
@@ -40,6 +40,7 @@ impl InstructionSet {
             Self::Avx512 => {
                 is_x86_feature_detected!("avx512f")
                     && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("avx512cd")
                     && is_x86_feature_detected!("avx512dq")
             }
             #[cfg(target_arch = "x86_64")]
