@@ -59,6 +59,8 @@ pub enum Command {
     Export(ExportArgs),
     /// Write a waveform of rays in the hardware.
     Wave(WaveArgs),
+    /// Estimate area, energy and clock of the pipelines, beside the published figures.
+    Estimate(EstimateArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -268,6 +270,10 @@ pub struct CheckArgs {
     /// Cycles to run through each, stalls and bubbles included.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
+    /// Prove instead, for all inputs and states: units and control against independent references, and the exported
+    /// Verilog, read back by yosys if that is installed, against the simulated graph.
+    #[arg(long)]
+    pub prove: bool,
 }
 
 #[derive(Args, Debug)]
@@ -309,6 +315,27 @@ pub struct WaveArgs {
     /// The waveform, a VCD file.
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
+pub struct EstimateArgs {
+    /// Standard cells to map to: a liberty file, which may be gzip-compressed; several if a library has several
+    /// [default: an embedded table].
+    #[arg(long, value_name = "FILE")]
+    pub liberty: Vec<PathBuf>,
+    /// Synthesise the exported Verilog with yosys and ABC too, for minutes, and print both.
+    #[arg(long)]
+    pub synth: bool,
+    /// The scene whose rays make the nets change: a built-in one or an OBJ file, which may be xz-compressed.
+    #[arg(long, default_value = "courtyard")]
+    pub scene: String,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// A folder for the report as text, CSV, JSON and HTML; one that this command made before is written anew.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

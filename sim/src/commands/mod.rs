@@ -2,8 +2,10 @@
 
 mod check;
 mod compare;
+mod estimate;
 mod explain;
 mod export;
+mod prove;
 mod render;
 mod reproduce;
 mod scenes;
@@ -31,9 +33,11 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Render(args)) => render::run(args, global),
         Some(Command::Compare(args)) => compare::run(args, global),
         Some(Command::Explain(args)) => explain::run(args, global),
+        Some(Command::Check(args)) if args.prove => prove::run(args, global),
         Some(Command::Check(args)) => check::run(args, global),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),
+        Some(Command::Estimate(args)) => estimate::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }
