@@ -9,6 +9,7 @@ mod prove;
 mod render;
 mod reproduce;
 mod scenes;
+mod simulate;
 mod trace;
 mod tree;
 mod wave;
@@ -38,6 +39,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),
         Some(Command::Estimate(args)) => estimate::run(args, global),
+        Some(Command::Simulate(args)) => simulate::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }
