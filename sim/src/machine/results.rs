@@ -215,7 +215,9 @@ impl Results {
             registers: mj(instructions.total * REGISTER_ACCESSES, REGISTERS.energy_nj),
             local_store: mj(instructions.local_store, LOCAL_STORE.energy_nj),
             units: units.map(|(unit, times)| mj(*times, unit.published().energy_pj * 1e-3)).sum(),
-            pipeline: pipeline_cost.as_ref().map_or(0.0, |cost| mj(instructions.pipeline, cost.energy_pj * 1e-3)),
+            pipeline: pipeline_cost
+                .as_ref()
+                .map_or(0.0, |cost| mj(instructions.pipeline, cost.energy_pj * 1e-3)),
             total: 0.0,
         };
         energy.total = energy.dram
@@ -269,9 +271,7 @@ impl Results {
                 l1: bytes(counts.l1.loads),
                 l2: bytes(counts.l2.loads * line_words),
                 dram: bytes((counts.dram.reads + counts.dram.writes) * line_words),
-                dram_peak: lines_per_second
-                    * f64::from(machine.dram.channels)
-                    * machine.l2.line.0 as f64
+                dram_peak: lines_per_second * f64::from(machine.dram.channels) * machine.l2.line.0 as f64
                     / 1e9,
             },
             pipeline_cost_source: pipeline_cost.map_or("no pipeline", |cost| cost.source),

@@ -167,9 +167,8 @@ impl<W: Work> Chip<'_, W> {
         self.tms.iter_mut().for_each(|tm| requests.append(&mut tm.outbox));
         // In one cycle, multiprocessors come in ring order from another one each time.
         let (count, first) = (self.tms.len() as u32, start / self.length);
-        requests.sort_by_key(|request| {
-            (request.cycle, (u32::from(request.tm) + count - first % count) % count)
-        });
+        requests
+            .sort_by_key(|request| (request.cycle, (u32::from(request.tm) + count - first % count) % count));
         for &request in &requests {
             self.serve_one(request, start);
         }

@@ -144,7 +144,11 @@ impl Channel {
         let writing = self.draining || no_read;
         if writing {
             // A read that has not come yet is looked at when it has.
-            soonest = self.reads.iter().map(|request| request.arrival).fold(soonest, |a, b| if b > clock { a.min(b) } else { a });
+            soonest = self
+                .reads
+                .iter()
+                .map(|request| request.arrival)
+                .fold(soonest, |a, b| if b > clock { a.min(b) } else { a });
         }
         let queue = if writing { &self.writes } else { &self.reads };
         let mut chosen = None;
