@@ -99,8 +99,7 @@ impl<const N: usize> Bvh<N> {
     #[must_use]
     pub fn children(&self, word: u32) -> &[BvhNode] {
         let first = INDEX.get(word) as usize;
-        // Every inner node of a binary hierarchy has two.
-        let count = if N == 2 { 2 } else { SIBLINGS.get(self.nodes[first].word) as usize + 1 };
+        let count = SIBLINGS.get(self.nodes[first].word) as usize + 1;
         &self.nodes[first..first + count]
     }
 
