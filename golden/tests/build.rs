@@ -7,7 +7,8 @@ mod support;
 use golden::build::{BinaryTree, BuildError, BuildOptions, MAX_DEPTH, Quality, build};
 use proptest::prelude::*;
 use scenes::Mesh;
-use support::{random_soup, soup};
+use golden::stress::shapes::soup;
+use support::random_soup;
 
 const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Medium, Quality::High];
 
