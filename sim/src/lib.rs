@@ -1,5 +1,10 @@
-//! What the tool `dualsplit` is made of, as a library: pictures and their comparison, and traversal step by step.
+//! What the tool `dualsplit` is made of, as a library: pictures and their comparison, traversal step by step, the hardware
+//! as gates, and its area and energy.
 
+pub mod estimate;
+pub mod gates;
 pub mod picture;
+pub mod plot;
+pub mod report;
 pub mod unit_costs;
 pub mod walk;

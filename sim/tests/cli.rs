@@ -231,7 +231,7 @@ fn reproduce() {
     };
     let paths = artifacts("reproduce --preset smoke --threads 2");
     let pictures = scenes::procedural::CATALOGUE.len() * 2 * (4 + 1);
-    assert_eq!(paths.len(), pictures + 3);
+    assert_eq!(paths.len(), pictures + 4);
     let results: serde_json::Value = serde_json::from_slice(&work.read("out/results.json")).unwrap();
     has_keys(&results, &["mode", "seed", "scenes"]);
     let csv = String::from_utf8(work.read("out/work.csv")).unwrap();

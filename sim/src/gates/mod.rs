@@ -1,0 +1,13 @@
+//! The hardware as gates: and-inverter graph, proofs, mapping to a cell library, area, timing and energy.
+//!
+//! ```text
+//!  Flat --blast--> Aig --simulate--> values and toggles
+//!                   |---aiger------> files for other tools
+//! ```
+
+pub mod aig;
+pub mod aiger;
+pub mod blast;
+mod multiply;
+pub mod simulate;
+pub mod words;

@@ -1,0 +1,266 @@
+//! Points and lines over two axes.
+
+use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, colour, number, responsive};
+use plotters::coord::ranged1d::{Ranged, ValueFormatter};
+use plotters::prelude::*;
+
+/// One axis.
+#[derive(Clone, Debug, Default)]
+pub struct Axis {
+    /// The quantity and its unit.
+    pub label: String,
+    /// Whether the scale is logarithmic; points that are not positive are then left out.
+    pub log: bool,
+    /// The range shown; that of the points if absent.
+    pub range: Option<(f64, f64)>,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Style {
+    /// Markers.
+    #[default]
+    Points,
+    /// Markers joined in their order.
+    Line,
+}
+
+/// One point.
+#[derive(Clone, Debug, Default)]
+pub struct Point {
+    /// Position along the horizontal axis.
+    pub x: f64,
+    /// Position along the vertical axis.
+    pub y: f64,
+    /// Ends of the error bar along the vertical axis.
+    pub y_range: Option<(f64, f64)>,
+    /// Text beside the point.
+    pub label: Option<String>,
+    /// Whether the point is marked by a ring, as on a Pareto front.
+    pub marked: bool,
+}
+
+/// Points that belong together.
+#[derive(Clone, Debug, Default)]
+pub struct Series {
+    /// Name in the legend.
+    pub name: String,
+    /// How they are drawn.
+    pub style: Style,
+    /// In the order in which they are joined.
+    pub points: Vec<Point>,
+}
+
+/// A chart of series.
+#[derive(Clone, Debug, Default)]
+pub struct Chart {
+    /// What is shown.
+    pub title: String,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// What is drawn, first below.
+    pub series: Vec<Series>,
+}
+
+const WIDTH: u32 = 760;
+const HEIGHT: u32 = 440;
+const MARKER: i32 = 4;
+
+impl Axis {
+    /// A linear axis that fits the points.
+    #[must_use]
+    pub fn linear(label: &str) -> Self {
+        Self { label: label.to_owned(), ..Self::default() }
+    }
+
+    /// A logarithmic axis that fits the points.
+    #[must_use]
+    pub fn log(label: &str) -> Self {
+        Self { log: true, ..Self::linear(label) }
+    }
+
+    fn shows(&self, value: f64) -> bool {
+        value.is_finite() && (!self.log || value > 0.0)
+    }
+
+    /// Where the axis begins and ends.
+    fn extent(&self, values: impl Iterator<Item = f64>) -> (f64, f64) {
+        if let Some(range) = self.range {
+            return range;
+        }
+        let (low, high) = values
+            .filter(|&v| self.shows(v))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        match (low <= high, self.log) {
+            (false, true) => (1.0, 10.0),
+            (false, false) => (0.0, 1.0),
+            (true, true) => (low / 1.5, high * 1.5),
+            (true, false) => {
+                // Zero belongs to a scale that comes near it: lengths can then be compared.
+                let low = if low >= 0.0 && low < high / 2.0 { 0.0 } else { low };
+                let margin = if high > low { 0.06 * (high - low) } else { 0.5 * high.abs().max(1.0) };
+                (if low == 0.0 { 0.0 } else { low - margin }, high + margin)
+            }
+        }
+    }
+}
+
+impl Chart {
+    /// The drawing.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let points = || self.series.iter().flat_map(|series| &series.points);
+        let (x0, x1) = self.x.extent(points().map(|p| p.x));
+        let ys = points().flat_map(|p| p.y_range.map_or([p.y; 3], |(low, high)| [low, p.y, high]));
+        let (y0, y1) = self.y.extent(ys);
+        let mut svg = String::new();
+        {
+            let root = SVGBackend::with_string(&mut svg, (WIDTH, HEIGHT)).into_drawing_area();
+            let drawn = match (self.x.log, self.y.log) {
+                (false, false) => self.draw(&root, x0..x1, y0..y1),
+                (true, false) => self.draw(&root, (x0..x1).log_scale(), y0..y1),
+                (false, true) => self.draw(&root, x0..x1, (y0..y1).log_scale()),
+                (true, true) => self.draw(&root, (x0..x1).log_scale(), (y0..y1).log_scale()),
+            };
+            drawn.and_then(|()| root.present()).expect("a string accepts a drawing");
+        }
+        responsive(&svg, WIDTH, HEIGHT)
+    }
+
+    fn draw<B: DrawingBackend, X, Y>(
+        &self,
+        root: &DrawingArea<B, plotters::coord::Shift>,
+        x: X,
+        y: Y,
+    ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>>
+    where
+        X: plotters::coord::ranged1d::AsRangedCoord<Value = f64>,
+        Y: plotters::coord::ranged1d::AsRangedCoord<Value = f64>,
+        X::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
+        Y::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
+    {
+        root.fill(&WHITE)?;
+        let mut chart = ChartBuilder::on(root)
+            .caption(&self.title, (FONT, TITLE_PX).into_font().color(&INK))
+            .margin(10)
+            .margin_right(24)
+            .x_label_area_size(44)
+            .y_label_area_size(68)
+            .build_cartesian_2d(x, y)?;
+        chart
+            .configure_mesh()
+            .light_line_style(WHITE)
+            .bold_line_style(GRID)
+            .axis_style(INK)
+            .label_style((FONT, FONT_PX).into_font().color(&INK))
+            .x_desc(&self.x.label)
+            .y_desc(&self.y.label)
+            .x_label_formatter(&|v| number(*v))
+            .y_label_formatter(&|v| number(*v))
+            .draw()?;
+        let marker = |(x, y): (f64, f64), index: usize| {
+            let style = colour(index).filled();
+            EmptyElement::at((x, y)) + Polygon::new(marker_outline(index), style)
+        };
+        for (index, series) in self.series.iter().enumerate() {
+            let shown: Vec<&Point> =
+                series.points.iter().filter(|p| self.x.shows(p.x) && self.y.shows(p.y)).collect();
+            if series.style == Style::Line {
+                let line = shown.iter().map(|p| (p.x, p.y));
+                chart.draw_series(LineSeries::new(line, colour(index).stroke_width(2)))?;
+            }
+            for point in &shown {
+                if let Some((low, high)) =
+                    point.y_range.filter(|&(low, high)| self.y.shows(low) && self.y.shows(high))
+                {
+                    let bar =
+                        PathElement::new([(point.x, low), (point.x, high)], colour(index).stroke_width(1));
+                    chart.draw_series([bar])?;
+                }
+            }
+            let name = series.name.clone();
+            chart.draw_series(shown.iter().map(|p| marker((p.x, p.y), index)))?.label(name).legend(
+                move |(x, y)| {
+                    EmptyElement::at((x + 10, y))
+                        + Polygon::new(marker_outline(index), colour(index).filled())
+                },
+            );
+            let rings = shown.iter().filter(|p| p.marked);
+            chart.draw_series(rings.map(|p| Circle::new((p.x, p.y), MARKER + 4, INK.stroke_width(1))))?;
+            let labels = shown.iter().filter_map(|p| Some(((p.x, p.y), p.label.clone()?)));
+            let style = (FONT, FONT_PX - 2).into_font().color(&INK);
+            chart.draw_series(
+                labels.map(|(at, label)| EmptyElement::at(at) + Text::new(label, (8, -14), style.clone())),
+            )?;
+        }
+        if self.series.len() > 1 {
+            chart
+                .configure_series_labels()
+                .label_font((FONT, FONT_PX).into_font().color(&INK))
+                .background_style(WHITE.mix(0.85))
+                .border_style(GRID)
+                .draw()?;
+        }
+        Ok(())
+    }
+}
+
+/// The shape of a series' markers, in pixels around the point: square, diamond, two triangles, bar, then again.
+fn marker_outline(index: usize) -> Vec<(i32, i32)> {
+    let r = MARKER;
+    match index % 5 {
+        0 => vec![(-r, -r), (r, -r), (r, r), (-r, r)],
+        1 => vec![(0, -r - 2), (r + 2, 0), (0, r + 2), (-r - 2, 0)],
+        2 => vec![(0, -r - 1), (r + 1, r), (-r - 1, r)],
+        3 => vec![(0, r + 1), (r + 1, -r), (-r - 1, -r)],
+        _ => vec![(-r - 2, -2), (r + 2, -2), (r + 2, 2), (-r - 2, 2)],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(values: &[(f64, f64)]) -> Vec<Point> {
+        values.iter().map(|&(x, y)| Point { x, y, ..Point::default() }).collect()
+    }
+
+    #[test]
+    fn draws_all_series_with_labels_rings_and_error_bars() {
+        let mut series =
+            Series { name: "naive".into(), style: Style::Line, points: points(&[(8.0, 1.0), (24.0, 3.0)]) };
+        series.points[0].label = Some("8 bits".into());
+        series.points[1].marked = true;
+        series.points[1].y_range = Some((2.5, 3.5));
+        let second =
+            Series { name: "conservative".into(), style: Style::Points, points: points(&[(11.0, 2.0)]) };
+        let chart = Chart {
+            title: "Precision".into(),
+            x: Axis::linear("significand (bits)"),
+            y: Axis::log("energy (mJ)"),
+            series: vec![series, second],
+        };
+        let svg = chart.svg();
+        for text in
+            ["Precision", "significand (bits)", "energy (mJ)", "naive", "conservative", "8 bits", "<circle"]
+        {
+            assert!(svg.contains(text), "{text} in {svg}");
+        }
+        assert_eq!(svg, chart.svg());
+    }
+
+    #[test]
+    fn points_that_a_scale_cannot_show_are_left_out() {
+        let series =
+            Series { name: "a".into(), points: points(&[(1.0, 0.0), (2.0, f64::NAN)]), ..Series::default() };
+        for log in [false, true] {
+            let y = Axis { log, ..Axis::linear("y") };
+            let chart =
+                Chart { title: "empty".into(), x: Axis::linear("x"), y, series: vec![series.clone()] };
+            assert!(chart.svg().contains("empty"));
+        }
+        assert!(Chart::default().svg().contains("</svg>"));
+    }
+}

@@ -1,0 +1,84 @@
+//! Charts as SVG, for files and for the report's page.
+//!
+//! [`Bars`] compares quantities, with the exact number beside each bar; [`Chart`] draws points and lines over two axes, with
+//! error bars and labels. Colours are those of Okabe and Ito, which colour-blind readers can tell apart; series differ in
+//! their markers too. Charts that are to be compared are given the same range. Text is drawn by whoever shows the
+//! file, so that the bytes do not depend on the machine's fonts.
+
+mod bars;
+mod chart;
+
+pub use bars::Bars;
+pub use chart::{Axis, Chart, Point, Series, Style};
+
+use plotters::prelude::RGBColor;
+
+/// Okabe and Ito's palette without its yellow, which is hard to see on white; black last.
+const PALETTE: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(230, 159, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(86, 180, 233),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 0, 0),
+];
+
+/// Text and axes.
+const INK: RGBColor = RGBColor(40, 40, 40);
+/// Lines that guide the eye.
+const GRID: RGBColor = RGBColor(224, 224, 224);
+const FONT: &str = "sans-serif";
+const FONT_PX: u32 = 15;
+const TITLE_PX: u32 = 18;
+
+/// Colour of the series at `index`.
+fn colour(index: usize) -> RGBColor {
+    PALETTE[index % PALETTE.len()]
+}
+
+/// Estimated width of `text` in pixels at [`FONT_PX`].
+fn text_width(text: &str) -> u32 {
+    text.chars().count() as u32 * FONT_PX / 2
+}
+
+/// `x` with about four significant digits: what stands beside a bar or at a tick.
+#[must_use]
+pub fn number(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let magnitude = x.abs().log10().floor() as i32;
+    if !(-4..7).contains(&magnitude) {
+        return format!("{x:.2e}");
+    }
+    let text = format!("{x:.*}", (3 - magnitude).max(0) as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Makes a drawing as wide as the page it is shown in, at most as wide as it was drawn.
+fn responsive(svg: &str, width: u32, height: u32) -> String {
+    let fixed = format!("width=\"{width}\" height=\"{height}\"");
+    svg.replacen(&fixed, &format!("style=\"width:100%;max-width:{width}px;height:auto\""), 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits() {
+        for (x, text) in [
+            (0.0, "0"),
+            (1.0, "1"),
+            (0.12345, "0.1235"),
+            (12.3456, "12.35"),
+            (98765.4, "98765"),
+            (-2.5, "-2.5"),
+        ] {
+            assert_eq!(number(x), text);
+        }
+        assert_eq!(number(1.5e9), "1.50e9");
+        assert_eq!(number(f64::NAN), "NaN");
+    }
+}

@@ -1,0 +1,3 @@
+//! The hardware as gates against the word graph it comes from.
+
+mod simulation;
