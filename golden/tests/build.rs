@@ -5,9 +5,9 @@ mod peer;
 mod support;
 
 use golden::build::{BinaryTree, BuildError, BuildOptions, MAX_DEPTH, Quality, build};
+use golden::stress::shapes::soup;
 use proptest::prelude::*;
 use scenes::Mesh;
-use golden::stress::shapes::soup;
 use support::random_soup;
 
 const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Medium, Quality::High];

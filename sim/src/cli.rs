@@ -8,6 +8,7 @@ use golden::render::Test;
 use golden::structure::StructureKind;
 use hdl::catalogue::{StandardFormat, Top};
 use sim::picture::heatmap::Quantity;
+use sim::stress::Method;
 use std::path::PathBuf;
 
 /// Dual-split trees against bounding volume hierarchies: build, trace, render, compare.
@@ -59,6 +60,11 @@ pub enum Command {
     Export(ExportArgs),
     /// Write a waveform of rays in the hardware.
     Wave(WaveArgs),
+    /// Chart a cost against an error, over formats of the hardware.
+    Chart(ChartArgs),
+    /// Run every structure and arithmetic against exact answers on inputs made to break them; exit code 1 if a method
+    /// that must lose no hit loses one.
+    Stress(StressArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -265,6 +271,60 @@ pub struct WaveArgs {
     pub quality: QualityArgs,
     /// The waveform, a VCD file.
     #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
+pub struct ChartArgs {
+    #[command(subcommand)]
+    pub chart: ChartKind,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum ChartKind {
+    /// Visits, lost hits and image error in every format, rounded naively and conservatively: CSV and SVG.
+    Precision(PrecisionArgs),
+}
+
+#[derive(Args, Debug)]
+pub struct PrecisionArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The structure that rays are traced through.
+    #[arg(long, default_value = "dst", value_parser = structure())]
+    pub structure: StructureKind,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "64x64", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    /// The folder to write; one that this command made before is written anew [default: precision-SCENE].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct StressArgs {
+    /// Rays of each of the known cases, at most; netlists get a fiftieth.
+    #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub rays: u64,
+    /// Rays per method that are aimed at corners, edges and faces of four meshes; netlists get a thousandth.
+    #[arg(long, default_value_t = 20_000, value_name = "N")]
+    pub aimed: u64,
+    /// Rays per method and mesh that a search walks towards the worst.
+    #[arg(long, default_value_t = 8, value_name = "N")]
+    pub searches: u64,
+    /// Only this method, such as dst/binary32-robust, bvh2/bfloat16-naive, rtl/binary32-fast; may be repeated.
+    #[arg(long, value_name = "METHOD")]
+    pub method: Vec<Method>,
+    /// Draw the rays around a failure of each kind.
+    #[arg(long, default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
+    pub pictures: bool,
+    /// The folder to write; one that this command made before is written anew.
+    #[arg(long, default_value = "stress", value_name = "DIR")]
     pub out: PathBuf,
 }
 

@@ -150,11 +150,25 @@ mod tests {
         for rounding in Rounding::ALL {
             let difference = narrow.subtract(x, y, rounding);
             let expected = soft.fp_add(a, b, true, rounding);
-            prop_assert_eq!(soft.to_f32(expected).to_bits(), difference.to_bits(), "{:x} - {:x} {:?}", a, b, rounding);
+            prop_assert_eq!(
+                soft.to_f32(expected).to_bits(),
+                difference.to_bits(),
+                "{:x} - {:x} {:?}",
+                a,
+                b,
+                rounding
+            );
             prop_assert_eq!(bits(difference), expected);
             let product = narrow.multiply(x, y, rounding);
             let expected = soft.fp_mul(a, b, rounding);
-            prop_assert_eq!(soft.to_f32(expected).to_bits(), product.to_bits(), "{:x} * {:x} {:?}", a, b, rounding);
+            prop_assert_eq!(
+                soft.to_f32(expected).to_bits(),
+                product.to_bits(),
+                "{:x} * {:x} {:?}",
+                a,
+                b,
+                rounding
+            );
         }
         Ok(())
     }
@@ -180,8 +194,12 @@ mod tests {
     fn operands() -> impl Strategy<Value = (u32, u32)> {
         prop_oneof![
             any::<(u32, u32)>(),
-            any::<(u32, u32, u32)>().prop_map(|(a, b, near)| (a, (a & 0xff80_0000) ^ (near << 30) ^ (b & 0x01ff_ffff))),
-            (prop::sample::select(vec![0, 1, 0x7f, 0x80, 0xff, 0x7f_ffff, 0x80_0000, u32::MAX >> 1]), any::<u32>()),
+            any::<(u32, u32, u32)>()
+                .prop_map(|(a, b, near)| (a, (a & 0xff80_0000) ^ (near << 30) ^ (b & 0x01ff_ffff))),
+            (
+                prop::sample::select(vec![0, 1, 0x7f, 0x80, 0xff, 0x7f_ffff, 0x80_0000, u32::MAX >> 1]),
+                any::<u32>()
+            ),
         ]
     }
 

@@ -49,7 +49,7 @@ fn violations(format: Format, subnormals: Subnormals, variant: Variant) -> (u64,
                     if variant == Variant::Conservative {
                         let (entry_32, exit_32) = (wide.entry(p, 0), wide.exit(p, 0));
                         let contained = (entry <= entry_32 || entry <= 0.0 || entry.is_nan())
-                            && (exit >= exit_32 || exit_32 < 0.0 || exit.is_nan());
+                            && (exit >= exit_32 || exit_32 < 0.0 || exit == f32::INFINITY || exit.is_nan());
                         broken += u64::from(!contained);
                     }
                 }
@@ -64,10 +64,13 @@ fn bounds(entry: f32, exit: f32, (p, o, d): (f32, f32, f32)) -> bool {
     let difference = whole(p, COORDINATE) - whole(o, COORDINATE);
     let direction = whole(d, DIRECTION);
     // (p - o) / d, with the direction made positive.
-    let (difference, direction) = if d.is_sign_negative() { (-difference, -direction) } else { (difference, direction) };
+    let (difference, direction) =
+        if d.is_sign_negative() { (-difference, -direction) } else { (difference, direction) };
     // Zero or NaN constrains nothing at entry, as does infinity or NaN at exit.
-    let at_most = |t: f32| t.is_nan() || t <= 0.0 || t < f32::INFINITY && whole(t, DISTANCE) * direction <= difference;
-    let at_least = |t: f32| t.is_nan() || t == f32::INFINITY || t >= 0.0 && whole(t, DISTANCE) * direction >= difference;
+    let at_most =
+        |t: f32| t.is_nan() || t <= 0.0 || t < f32::INFINITY && whole(t, DISTANCE) * direction <= difference;
+    let at_least =
+        |t: f32| t.is_nan() || t == f32::INFINITY || t >= 0.0 && whole(t, DISTANCE) * direction >= difference;
     match direction {
         // Parallel: all of the line is in front of the plane of entry, or none of it; likewise at exit.
         0 if difference > 0 => exit == f32::INFINITY || exit.is_nan(),

@@ -5,7 +5,7 @@ use crate::Aabb;
 use crate::build::MAX_DEPTH;
 use crate::bvh::{Bvh, BvhNode, INDEX, LEAF, box_step};
 use crate::dst::header::{Header, LEAF_WORDS, NODE_WORDS};
-use crate::dst::{Dst, step};
+use crate::dst::{Dst, Step, step};
 use crate::fp::Rounding;
 use crate::ray::{Hit, TraversalRay};
 use crate::structure::Structure;
@@ -71,6 +71,13 @@ impl<T> Narrow<T> {
     pub fn ray(&self, ray: &TraversalRay) -> NarrowRay {
         NarrowRay::new(ray, self.arithmetic, self.scale, self.precision.variant)
     }
+
+    /// A box of the scene as this structure would hold it.
+    #[must_use]
+    pub fn aabb(&self, bounds: &Aabb) -> Aabb {
+        Planes { arithmetic: self.arithmetic, scale: self.scale, variant: self.precision.variant }
+            .aabb(bounds)
+    }
 }
 
 impl NarrowDst {
@@ -97,7 +104,28 @@ impl NarrowDst {
         planes.narrow(Dst::new(planes.aabb(&dst.root_box), words, dst.triangles.clone()), precision)
     }
 
+    /// The nearest hit with every node step executed by `step`: [`crate::dst::step()`], or hardware.
+    pub fn closest_by_steps<O: Traversal>(
+        &self,
+        ray: &TraversalRay,
+        observer: &mut O,
+        step: impl FnMut([u32; 3], &NarrowRay, f32, f32) -> Step,
+    ) -> Option<Hit> {
+        let mut query = Query::<false>::new(ray, &self.structure.triangles);
+        self.by_steps(&mut query, observer, step);
+        query.hit()
+    }
+
     fn traverse<const ANY: bool, O: Traversal>(&self, query: &mut Query<'_, ANY>, observer: &mut O) -> bool {
+        self.by_steps(query, observer, step)
+    }
+
+    fn by_steps<const ANY: bool, O: Traversal>(
+        &self,
+        query: &mut Query<'_, ANY>,
+        observer: &mut O,
+        mut step: impl FnMut([u32; 3], &NarrowRay, f32, f32) -> Step,
+    ) -> bool {
         let ray = self.ray(query.ray);
         let root = box_step(&self.structure.root_box, &ray, ray.t_min, ray.t_max);
         let step = |words, low, high| step(words, &ray, low, high);
@@ -210,6 +238,17 @@ impl NarrowStructure {
             Structure::Bvh4(bvh) => Self::Bvh4(NarrowBvh::new(bvh, precision)),
             Structure::Bvh8(bvh) => Self::Bvh8(NarrowBvh::new(bvh, precision)),
             Structure::Dst(dst) => Self::Dst(NarrowDst::new(dst, precision)),
+        }
+    }
+
+    /// A box of the scene and a ray as this structure would hold them.
+    #[must_use]
+    pub fn narrow(&self, bounds: &Aabb, ray: &TraversalRay) -> (Aabb, NarrowRay) {
+        match self {
+            Self::Bvh2(bvh) => (bvh.aabb(bounds), bvh.ray(ray)),
+            Self::Bvh4(bvh) => (bvh.aabb(bounds), bvh.ray(ray)),
+            Self::Bvh8(bvh) => (bvh.aabb(bounds), bvh.ray(ray)),
+            Self::Dst(dst) => (dst.aabb(bounds), dst.ray(ray)),
         }
     }
 

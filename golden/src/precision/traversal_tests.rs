@@ -11,7 +11,8 @@ use crate::traverse::{Counters, Trace, brute_force};
 use proptest::prelude::*;
 
 fn any_format() -> impl Strategy<Value = Format> {
-    let named = [Format::BINARY32, Format::TF32, Format::BFLOAT16, Format::BINARY16, Format::E5M2, Format::E4M3];
+    let named =
+        [Format::BINARY32, Format::TF32, Format::BFLOAT16, Format::BINARY16, Format::E5M2, Format::E4M3];
     prop_oneof![
         prop::sample::select(named.to_vec()),
         (2u32..=8, 2u32..=24).prop_filter_map("a format", |(e, s)| Format::new(e, s).ok()),
@@ -19,7 +20,7 @@ fn any_format() -> impl Strategy<Value = Format> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 800, ..ProptestConfig::default() })]
 
     #[test]
     fn conservative_hits_are_those_of_brute_force(

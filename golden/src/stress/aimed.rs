@@ -21,6 +21,12 @@ pub struct Aimed {
 }
 
 impl Aimed {
+    /// The same ray and triangle with the hit of the triangle test in `mode`, or `None` if that test misses.
+    #[must_use]
+    pub fn in_mode(&self, mesh: &Mesh, mode: Mode) -> Option<Self> {
+        confirm(mesh, &self.ray, self.known.triangle, mode)
+    }
+
     /// Whether `found` shows that the known hit was lost.
     #[must_use]
     pub fn is_lost(&self, found: Option<Hit>) -> bool {
@@ -91,7 +97,8 @@ impl<'a> Aim<'a> {
     }
 
     fn towards(&mut self, target: [f32; 3]) -> Ray {
-        let size = std::array::from_fn(|k| (self.bounds.max[k] - self.bounds.min[k]).max(f32::MIN_POSITIVE));
+        let size: [f32; 3] =
+            std::array::from_fn(|k| (self.bounds.max[k] - self.bounds.min[k]).max(f32::MIN_POSITIVE));
         let mut origin: [f32; 3] =
             std::array::from_fn(|k| self.bounds.min[k] + size[k] * (2.0 * self.random.uniform() - 0.5));
         match self.random.below(8) {
@@ -133,12 +140,16 @@ impl<'a> Aim<'a> {
     /// `ray` if it hits triangle `index`.
     #[must_use]
     pub fn confirm(&self, ray: &Ray, index: u32) -> Option<Aimed> {
-        let prepared = TraversalRay::new(ray, self.mode)?;
-        let triangle = Triangle::new(self.mesh, index, true);
-        let hit = TriangleTest::new(&prepared).intersect(&prepared, &triangle, prepared.t_max)?;
-        let known = Hit { t: prepared.given_t(hit.t), u: hit.u, v: hit.v, triangle: index };
-        Some(Aimed { ray: *ray, known })
+        confirm(self.mesh, ray, index, self.mode)
     }
+}
+
+fn confirm(mesh: &Mesh, ray: &Ray, index: u32, mode: Mode) -> Option<Aimed> {
+    let prepared = TraversalRay::new(ray, mode)?;
+    let triangle = Triangle::new(mesh, index, true);
+    let hit = TriangleTest::new(&prepared).intersect(&prepared, &triangle, prepared.t_max)?;
+    let known = Hit { t: prepared.given_t(hit.t), u: hit.u, v: hit.v, triangle: index };
+    Some(Aimed { ray: *ray, known })
 }
 
 impl Iterator for Aim<'_> {

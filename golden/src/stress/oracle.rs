@@ -21,11 +21,10 @@ pub struct Oracle<'a> {
     tree: &'a BinaryTree,
 }
 
-/// A triangle that is hit, with bounds of its distance in units of the ray's direction.
+/// A triangle that is hit, with a lower bound of its distance in units of the ray's direction.
 struct Candidate {
     triangle: u32,
     low: f64,
-    high: f64,
 }
 
 impl<'a> Oracle<'a> {
@@ -61,7 +60,7 @@ impl<'a> Oracle<'a> {
                     for &triangle in &self.tree.primitives[range] {
                         if let Some((low, high)) = self.distance(triangle, ray) {
                             best = best.min(high);
-                            hits.push(Candidate { triangle, low, high });
+                            hits.push(Candidate { triangle, low });
                         }
                     }
                 }
@@ -70,7 +69,8 @@ impl<'a> Oracle<'a> {
         hits.retain(|hit| hit.low <= best);
         if hits.len() > 1 {
             let exact = |hit: &Candidate| {
-                exact_distance(&self.mesh.corners(hit.triangle as usize), ray).expect("a triangle that is hit")
+                exact_distance(&self.mesh.corners(hit.triangle as usize), ray)
+                    .expect("a triangle that is hit")
             };
             let distances: Vec<BigRational> = hits.iter().map(exact).collect();
             let least = distances.iter().min().expect("more than one").clone();

@@ -95,6 +95,7 @@ pub fn box_triangles(low: [f32; 3], high: [f32; 3]) -> Vec<[[f32; 3]; 3]> {
 }
 
 /// A small linear congruential generator: the same numbers everywhere.
+#[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {

@@ -64,11 +64,7 @@ impl Trace for Dst {
     #[inline]
     fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
         let mut query = Query::<true>::new(ray, &self.triangles);
-        if O::ACTIVE {
-            by_steps(self, &mut query, observer, step)
-        } else {
-            dst::traverse(self, &mut query)
-        }
+        if O::ACTIVE { by_steps(self, &mut query, observer, step) } else { dst::traverse(self, &mut query) }
     }
 }
 

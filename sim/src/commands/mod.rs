@@ -1,5 +1,6 @@
 //! One file for each command.
 
+mod chart;
 mod check;
 mod compare;
 mod explain;
@@ -7,6 +8,7 @@ mod export;
 mod render;
 mod reproduce;
 mod scenes;
+mod stress;
 mod trace;
 mod tree;
 mod wave;
@@ -34,6 +36,8 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Check(args)) => check::run(args, global),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),
+        Some(Command::Chart(args)) => chart::run(args, global),
+        Some(Command::Stress(args)) => stress::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

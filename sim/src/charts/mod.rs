@@ -1,0 +1,4 @@
+//! Sweeps of one scene that chart a cost against an error.
+
+pub mod pareto;
+pub mod precision;
