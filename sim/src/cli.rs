@@ -4,6 +4,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use golden::Mode;
 use golden::build::Quality;
+use golden::precision::Variant;
 use golden::render::Test;
 use golden::structure::StructureKind;
 use hdl::catalogue::{StandardFormat, Top};
@@ -65,6 +66,8 @@ pub enum Command {
     /// Run every structure and arithmetic against exact answers on inputs made to break them; exit code 1 if a method
     /// that must lose no hit loses one.
     Stress(StressArgs),
+    /// Find the least hardware that a scene needs at an error budget, and write it as TOML with a chart of each knee.
+    Needs(NeedsArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -311,7 +314,7 @@ pub struct StressArgs {
     /// Rays of each of the known cases, at most; netlists get a fiftieth.
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub rays: u64,
-    /// Rays per method that are aimed at corners, edges and faces of four meshes; netlists get a thousandth.
+    /// Rays that are aimed at corners, edges and faces of four meshes; netlists get 16 of each 16,384.
     #[arg(long, default_value_t = 20_000, value_name = "N")]
     pub aimed: u64,
     /// Rays per method and mesh that a search walks towards the worst.
@@ -326,6 +329,35 @@ pub struct StressArgs {
     /// The folder to write; one that this command made before is written anew.
     #[arg(long, default_value = "stress", value_name = "DIR")]
     pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
+pub struct NeedsArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    /// conservative: never loses a hit, may visit more; naive: everything rounded to nearest.
+    #[arg(long, default_value = "conservative", value_parser = one_of(Variant::ALL, Variant::name))]
+    pub variant: Variant,
+    /// Greatest root mean square error of linear radiance against binary32.
+    #[arg(long, default_value_t = 0.0, value_name = "RMSE", value_parser = not_negative)]
+    pub max_image_error: f64,
+    /// Greatest number of rays that hit nothing and should.
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    pub max_false_miss: u64,
+    /// Node visits beyond those of binary32, as a fraction of them.
+    #[arg(long, default_value_t = 0.05, value_name = "FRACTION", value_parser = not_negative)]
+    pub max_extra_visits: f64,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "48x48", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    /// The folder to write; one that this command made before is written anew [default: needs-SCENE].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]
@@ -391,6 +423,13 @@ pub fn quality_name(quality: Quality) -> &'static str {
         Quality::Fast => "fast",
         Quality::Medium => "medium",
         Quality::High => "high",
+    }
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x >= 0.0 && x.is_finite() => Ok(x),
+        _ => Err("write a number that is not negative, such as 0.05".to_owned()),
     }
 }
 

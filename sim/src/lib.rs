@@ -4,6 +4,7 @@
 pub mod charts;
 pub mod estimate;
 pub mod gates;
+pub mod needs;
 pub mod picture;
 pub mod plot;
 pub mod report;

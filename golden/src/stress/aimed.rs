@@ -166,16 +166,30 @@ impl Iterator for Aim<'_> {
     }
 }
 
-/// `x`, `ulps` units in the last place further up.
+/// `x`, `ulps` units in the last place further up; the largest finite number at most.
 #[must_use]
 pub fn nudged(x: f32, ulps: i32) -> f32 {
-    (0..ulps.unsigned_abs()).fold(x, |x, _| if ulps > 0 { x.next_up() } else { x.next_down() })
+    // Positions in the order of floats: both zeros are 0.
+    let magnitude = (x.to_bits() & 0x7fff_ffff) as i32;
+    let position = i64::from(if x.is_sign_negative() { -magnitude } else { magnitude }) + i64::from(ulps);
+    let most = i64::from(f32::MAX.to_bits());
+    let position = position.clamp(-most, most);
+    f32::from_bits(position.unsigned_abs() as u32).copysign(if position < 0 { -1.0 } else { 1.0 })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::stress::shapes::closed_sphere;
+
+    #[test]
+    fn nudging_counts_floats() {
+        assert_eq!(nudged(1.0, 1), 1.0f32.next_up());
+        assert_eq!(nudged(1.0, -3), 1.0f32.next_down().next_down().next_down());
+        assert_eq!(nudged(-0.0, 1), f32::from_bits(1));
+        assert_eq!(nudged(f32::from_bits(1), -2), -f32::from_bits(1));
+        assert_eq!(nudged(f32::MAX, 5), f32::MAX);
+    }
 
     #[test]
     fn known_hits_are_hits_and_lost_ones_are_seen() {

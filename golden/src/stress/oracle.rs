@@ -11,6 +11,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use scenes::Mesh;
+use std::collections::BTreeMap;
 
 type V3<T> = [T; 3];
 
@@ -44,6 +45,7 @@ impl<'a> Oracle<'a> {
         if !(finite && ordered && ray.direction.iter().any(|d| *d != 0.0)) {
             return vec![];
         }
+        let mut exact = Exact { mesh: self.mesh, ray, known: BTreeMap::new() };
         let mut hits: Vec<Candidate> = vec![];
         let mut best = f64::INFINITY;
         let mut stack = vec![0usize];
@@ -58,7 +60,7 @@ impl<'a> Oracle<'a> {
                 Content::Leaf { first_primitive, primitive_count } => {
                     let range = first_primitive as usize..(first_primitive + primitive_count) as usize;
                     for &triangle in &self.tree.primitives[range] {
-                        if let Some((low, high)) = self.distance(triangle, ray) {
+                        if let Some((low, high)) = exact.bounds(triangle) {
                             best = best.min(high);
                             hits.push(Candidate { triangle, low });
                         }
@@ -68,11 +70,10 @@ impl<'a> Oracle<'a> {
         }
         hits.retain(|hit| hit.low <= best);
         if hits.len() > 1 {
-            let exact = |hit: &Candidate| {
-                exact_distance(&self.mesh.corners(hit.triangle as usize), ray)
-                    .expect("a triangle that is hit")
-            };
-            let distances: Vec<BigRational> = hits.iter().map(exact).collect();
+            let distances: Vec<BigRational> = hits
+                .iter()
+                .map(|hit| exact.distance(hit.triangle).expect("a triangle that is hit"))
+                .collect();
             let least = distances.iter().min().expect("more than one").clone();
             let mut distances = distances.iter();
             hits.retain(|_| distances.next() == Some(&least));
@@ -81,17 +82,33 @@ impl<'a> Oracle<'a> {
         nearest.sort_unstable();
         nearest
     }
+}
+
+/// Exact distances along one ray, computed once for triangles with the same corners.
+struct Exact<'a> {
+    mesh: &'a Mesh,
+    ray: &'a Ray,
+    known: BTreeMap<V3<V3<u32>>, Option<BigRational>>,
+}
+
+impl Exact<'_> {
+    /// The distance of `triangle` if the ray's line meets it.
+    fn distance(&mut self, triangle: u32) -> Option<BigRational> {
+        let corners = self.mesh.corners(triangle as usize);
+        let bits = corners.map(|corner| corner.map(f32::to_bits));
+        self.known.entry(bits).or_insert_with(|| exact_distance(&corners, self.ray)).clone()
+    }
 
     /// Bounds of the distance of `triangle` if it is hit within the ray's range.
-    fn distance(&self, triangle: u32, ray: &Ray) -> Option<(f64, f64)> {
-        let corners = self.mesh.corners(triangle as usize);
+    fn bounds(&mut self, triangle: u32) -> Option<(f64, f64)> {
+        let ray = self.ray;
         let (t_min, t_max) = (f64::from(ray.t_min).max(0.0), f64::from(ray.t_max));
-        match filtered(&corners, ray) {
+        match filtered(&self.mesh.corners(triangle as usize), ray) {
             Filtered::Miss => return None,
             Filtered::Hit(low, high) if low > t_min && high < t_max => return Some((low, high)),
             Filtered::Hit(..) | Filtered::Unsure => {}
         }
-        let t = exact_distance(&corners, ray)?;
+        let t = self.distance(triangle)?;
         let bound = |x: f32| BigRational::from_float(x);
         let below = t.is_negative() || bound(ray.t_min).is_some_and(|t_min| t < t_min);
         let above = bound(ray.t_max).is_some_and(|t_max| t > t_max);

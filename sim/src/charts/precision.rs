@@ -63,9 +63,6 @@ pub enum SweepError {
     /// A format is outside the supported range.
     #[error(transparent)]
     Format(#[from] FormatError),
-    /// The pipeline's netlist cannot be made.
-    #[error(transparent)]
-    Elaborate(#[from] ElaborateError),
 }
 
 /// One format in one variant.
@@ -93,13 +90,15 @@ pub struct PrecisionPoint {
     pub false_misses: u64,
     /// Rays that hit something here and nothing in the reference.
     pub false_hits: u64,
-    /// Rays that hit something else, or elsewhere.
+    /// Rays that hit another triangle.
     pub wrong_nearest: u64,
+    /// Rays that hit the same triangle at a distance that differs in some bit.
+    pub other_distance: u64,
     /// Root of the mean squared difference of linear radiance to the reference's picture.
     pub rmse: f64,
     /// Pixels with any difference.
     pub differing_pixels: u64,
-    /// Two-input gates of the dual-split pipeline's netlist, where there is one in this format. Without the second origin.
+    /// Two-input gates of the dual-split pipeline's netlist ([`gates`]); without the second origin.
     pub gates: Option<u64>,
     /// Whether no other point has at most as many bits, visits, false misses and error, and less of one.
     pub pareto: bool,
@@ -154,6 +153,15 @@ impl<'a> Sweep<'a> {
         self.rays.len() as u64
     }
 
+    /// Calls `visit` with every ray in the reference's order, and whether only occlusion is asked for.
+    pub fn for_each_ray(&self, mut visit: impl FnMut(&TraversalRay, bool)) {
+        for (ray, answer) in &self.rays {
+            if let Some(prepared) = TraversalRay::new(ray, self.options.mode) {
+                visit(&prepared, matches!(answer, Answer::Occluded(_)));
+            }
+        }
+    }
+
     /// The structure in the reference's binary32.
     #[must_use]
     pub fn structure(&self) -> &Structure {
@@ -180,10 +188,14 @@ impl<'a> Sweep<'a> {
         let mode = precision.variant.mode();
         let traced = |(ray, expected): &(Ray, Answer)| {
             let (found, counters) = trace(structure, ray, matches!(expected, Answer::Occluded(_)), mode);
-            let wrong = match (expected.is_hit(), found.is_hit()) {
-                (true, false) => [1, 0, 0],
-                (false, true) => [0, 1, 0],
-                _ => [0, 0, u64::from(found != *expected)],
+            let wrong = match (*expected, found) {
+                (expected, found) if expected.is_hit() != found.is_hit() => {
+                    [u64::from(expected.is_hit()), u64::from(found.is_hit()), 0, 0]
+                }
+                (Answer::Nearest(Some((a, t))), Answer::Nearest(Some((b, u)))) if (a, t) != (b, u) => {
+                    [0, 0, u64::from(a != b), u64::from(a == b)]
+                }
+                _ => [0; 4],
             };
             (counters, wrong)
         };
@@ -197,7 +209,7 @@ impl<'a> Sweep<'a> {
             Difference::new(crate::picture::Format::Exr, &colours(&self.reference), &colours(&rendering))
                 .expect("both have the size of the options");
         let per_ray = |x: u64| x as f64 / self.rays().max(1) as f64;
-        let [false_misses, false_hits, wrong_nearest] = wrong;
+        let [false_misses, false_hits, wrong_nearest, other_distance] = wrong;
         Ok(PrecisionPoint {
             format: precision.format.to_string(),
             variant: precision.variant.name(),
@@ -211,9 +223,10 @@ impl<'a> Sweep<'a> {
             false_misses,
             false_hits,
             wrong_nearest,
+            other_distance,
             rmse: difference.rmse,
             differing_pixels: difference.differing_pixels,
-            gates: gates(precision.format)?,
+            gates: None,
             pareto: false,
         })
     }
@@ -237,7 +250,10 @@ fn colours(rendering: &Rendering) -> Picture<f32> {
 }
 
 /// Two-input gates of the dual-split pipeline in `format`, if modules of that format exist.
-fn gates(format: Format) -> Result<Option<u64>, ElaborateError> {
+///
+/// # Errors
+/// When the pipeline does not elaborate, which none of the catalogue does.
+pub fn gates(format: Format) -> Result<Option<u64>, ElaborateError> {
     let Some(standard) = StandardFormat::ALL.iter().find(|standard| standard.format() == format) else {
         return Ok(None);
     };

@@ -7,7 +7,7 @@ use crate::input::{self, Built, display};
 use golden::precision::{Precision, Variant};
 use golden::render::RenderOptions;
 use serde::Serialize;
-use sim::charts::precision::{PrecisionPoint, Sweep, formats, mark_front};
+use sim::charts::precision::{PrecisionPoint, Sweep, formats, gates, mark_front};
 use sim::plot::{Axis, Chart, Point, Series, Style};
 
 #[derive(Serialize)]
@@ -39,13 +39,15 @@ fn precision(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
     let [width, height] = args.size;
     let options = RenderOptions { seed: global.seed, ..RenderOptions::new(args.test, width, height) };
     let sweep = Sweep::new(&scene, &built.tree, &built.triangles, args.structure, options)?;
-    let precisions: Vec<_> =
-        formats().into_iter().flat_map(|format| Variant::ALL.map(|v| Precision::new(format, v))).collect();
-    let bar = progress(precisions.len() as u64, "formats");
+    let formats = formats();
+    let bar = progress(formats.len() as u64, "formats");
     let mut points = vec![];
-    for precision in precisions {
-        bar.set_message(precision.to_string());
-        points.push(sweep.point(precision)?);
+    for format in formats {
+        bar.set_message(format.to_string());
+        let gates = gates(format)?;
+        for variant in Variant::ALL {
+            points.push(PrecisionPoint { gates, ..sweep.point(Precision::new(format, variant))? });
+        }
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -112,14 +114,14 @@ fn charts(scene: &str, sweep: &Sweep<'_>, points: &[PrecisionPoint]) -> Vec<(&'s
             chart(
                 "node visits, Pareto front ringed",
                 bits(),
-                Axis::linear("node visits per ray"),
+                Axis::log("node visits per ray"),
                 series(significand, &|p| p.node_visits_per_ray),
             ),
         ),
         (
             "wrong-rays",
             chart(
-                "rays with another result than binary32 robust (none are not drawn)",
+                "rays that lose their hit or hit something else (none: not drawn)",
                 bits(),
                 Axis::log("fraction of rays"),
                 series(significand, &rate),
@@ -128,7 +130,7 @@ fn charts(scene: &str, sweep: &Sweep<'_>, points: &[PrecisionPoint]) -> Vec<(&'s
         (
             "image-error",
             chart(
-                "image error (none is not drawn)",
+                "image error (none: not drawn)",
                 bits(),
                 Axis::log("RMSE of linear radiance"),
                 series(significand, &|p| p.rmse),
@@ -139,7 +141,7 @@ fn charts(scene: &str, sweep: &Sweep<'_>, points: &[PrecisionPoint]) -> Vec<(&'s
             chart(
                 "width against visits, Pareto front ringed",
                 Axis::linear("bits per number"),
-                Axis::linear("node visits per ray"),
+                Axis::log("node visits per ray"),
                 series(|p| f64::from(p.exponent_bits + p.significand_bits), &|p| p.node_visits_per_ray),
             ),
         ),
@@ -168,6 +170,7 @@ fn text(document: &Document) -> String {
         "false misses",
         "false hits",
         "wrong nearest",
+        "other distance",
         "RMSE",
         "differing pixels",
         "gates",
@@ -185,6 +188,7 @@ fn text(document: &Document) -> String {
                 p.false_misses.to_string(),
                 p.false_hits.to_string(),
                 p.wrong_nearest.to_string(),
+                p.other_distance.to_string(),
                 format!("{:.3e}", p.rmse),
                 p.differing_pixels.to_string(),
                 p.gates.map(|gates| gates.to_string()).unwrap_or_default(),

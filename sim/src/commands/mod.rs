@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod explain;
 mod export;
+mod needs;
 mod render;
 mod reproduce;
 mod scenes;
@@ -38,6 +39,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Wave(args)) => wave::run(args, global),
         Some(Command::Chart(args)) => chart::run(args, global),
         Some(Command::Stress(args)) => stress::run(args, global),
+        Some(Command::Needs(args)) => needs::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

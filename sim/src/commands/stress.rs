@@ -11,8 +11,8 @@ use rayon::prelude::*;
 use scenes::Mesh;
 use serde::Serialize;
 use sim::picture::png;
-use sim::stress::{Bench, Cell, Method, aimed_cell, search, slice};
-use std::collections::BTreeMap;
+use sim::stress::{Bench, Cell, Instance, Method, Structures, aimed_cells, search, slice};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 #[derive(Serialize)]
@@ -46,31 +46,34 @@ fn targets() -> [(&'static str, Mesh); 4] {
 pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
     let methods = methods(args);
     let mut artifacts = Artifacts::create(&args.out, global.force)?;
-    let netlists: BTreeMap<String, Option<Arc<Flat>>> =
-        methods.iter().map(|method| (method.to_string(), method.netlist())).collect();
-    let netlist = |method: Method| netlists[&method.to_string()].as_ref();
+    let netlists: Vec<Option<Arc<Flat>>> = methods.iter().map(|method| method.netlist()).collect();
 
     let mut cells = vec![];
-    let mut pictured: BTreeMap<(String, &'static str), ()> = BTreeMap::new();
-    let cases: Vec<_> = cases::all();
+    let mut pictured = BTreeSet::new();
+    let cases = cases::all();
     let bar = progress(cases.len() as u64, "cases");
     for case in cases {
         bar.set_message(case.name);
         let bench = Bench::new(case, usize::try_from(args.rays)?)?;
-        let run = |method: &Method| {
-            let limit = if method.is_hardware() { (args.rays / HARDWARE_SHARE).max(1) } else { args.rays };
-            bench.run(*method, netlist(*method), limit as usize)
+        let structures = Structures::new(&bench.tree, &bench.triangles)?;
+        let instances: Vec<Instance> = methods
+            .iter()
+            .zip(&netlists)
+            .map(|(method, netlist)| method.instance(&structures, netlist.as_ref()))
+            .collect();
+        let run = |instance: &Instance| {
+            let hardware = instance.method.is_hardware();
+            let limit = if hardware { (args.rays / HARDWARE_SHARE).max(1) } else { args.rays };
+            bench.run(instance, limit as usize)
         };
-        let results: Vec<Cell> = methods.par_iter().map(run).collect::<Result<_, _>>()?;
-        for (method, cell) in methods.iter().zip(&results) {
+        let results: Vec<Cell> = instances.par_iter().map(run).collect();
+        for (instance, cell) in instances.iter().zip(&results) {
             let failed = cell.false_misses + cell.false_hits + cell.wrong_nearest > 0;
-            if args.pictures && failed && is_pictured(*method) {
-                if let Some(slice) = slice(&bench, *method, netlist(*method))? {
-                    let key = (method.to_string(), slice.failure);
-                    if pictured.insert(key, ()).is_none() {
-                        let name = format!("{}-{}.png", method.to_string().replace('/', "-"), slice.failure);
-                        artifacts.write(&name, &png::encode(&slice.picture))?;
-                    }
+            let wanted = args.pictures && failed && is_pictured(instance.method);
+            if let Some(slice) = wanted.then(|| slice(&bench, instance)).flatten() {
+                let name = format!("{}-{}.png", instance.method.to_string().replace('/', "-"), slice.failure);
+                if pictured.insert(name.clone()) {
+                    artifacts.write(&name, &png::encode(&slice.picture))?;
                 }
             }
         }
@@ -80,13 +83,11 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
     bar.finish_and_clear();
 
     let targets = targets();
-    let bar = progress(methods.len() as u64 * args.aimed, "aimed rays");
-    for (method, target) in methods.iter().flat_map(|m| targets.iter().map(move |t| (m, t))) {
-        bar.set_message(method.to_string());
-        let share = if method.is_hardware() { HARDWARE_SHARE * 20 } else { 1 };
-        let rays = (args.aimed / targets.len() as u64).div_ceil(share);
-        let target = (target.0, &target.1);
-        cells.push(aimed_cell(*method, target, rays, global.seed, |n| bar.inc(n))?);
+    let share = args.aimed / targets.len() as u64;
+    let bar = progress(args.aimed, "aimed rays");
+    for (name, mesh) in &targets {
+        bar.set_message(*name);
+        cells.extend(aimed_cells(&methods, (name, mesh), share, global.seed, |rays| bar.inc(rays))?);
     }
     bar.finish_and_clear();
 
@@ -94,7 +95,7 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
     for method in methods.iter().filter(|method| !method.is_hardware()) {
         bar.set_message(method.to_string());
         for (name, mesh) in &targets {
-            let name = name.replace("aimed", "search");
+            let name = name.replace("aimed", "searched");
             let (cell, _) = search(*method, (&name, mesh), args.searches, SEARCH_STEPS, global.seed)?;
             cells.push(cell);
         }
@@ -149,7 +150,7 @@ fn sums(methods: &[Method], cells: &[Cell]) -> Vec<Cell> {
 
 /// The case with the largest fraction of wrong results.
 fn worst_case(cells: &[&Cell]) -> Option<String> {
-    let wrong = |cell: &Cell| cell.false_misses + cell.false_hits + cell.wrong_nearest + cell.nan + cell.lost;
+    let wrong = |cell: &Cell| cell.false_misses + cell.false_hits + cell.wrong_nearest;
     let fraction = |cell: &Cell| wrong(cell) as f64 / cell.rays.max(1) as f64;
     let worst =
         cells.iter().filter(|cell| wrong(cell) > 0).max_by(|a, b| fraction(a).total_cmp(&fraction(b)))?;

@@ -1,16 +1,15 @@
 //! Methods over cases, counted.
 
-use super::{Instance, Method};
+use super::{Instance, Method, Structures};
 use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
 use golden::dst::DstError;
-use golden::stress::aimed::Aim;
+use golden::stress::aimed::{Aim, Aimed};
 use golden::stress::cases::Case;
 use golden::stress::oracle::Oracle;
 use golden::structure::pack_triangles;
 use golden::traverse::brute_force;
 use golden::triangle::Triangle;
 use golden::{Hit, Mode, Ray};
-use hdl::netlist::Flat;
 use rayon::prelude::*;
 use scenes::Mesh;
 use serde::Serialize;
@@ -73,6 +72,21 @@ impl Cell {
     #[must_use]
     pub fn traversal_failures(&self) -> u64 {
         self.lost + self.nan + self.excess_visits
+    }
+
+    /// Counts the result of a ray that exactly hits something; `known` is what the triangle test of the method makes of it.
+    pub(super) fn judge_aimed(&mut self, found: Option<Hit>, known: &Option<Aimed>) {
+        self.rays += 1;
+        self.false_misses += u64::from(found.is_none());
+        self.nan += u64::from(found.is_some_and(|hit| hit.t.is_nan()));
+        match known {
+            None => self.triangle_test += 1,
+            Some(known) if known.is_lost(found) => {
+                self.lost += 1;
+                self.wrong_nearest += u64::from(found.is_some());
+            }
+            Some(_) => {}
+        }
     }
 
     fn judge(&mut self, judgement: Judgement) {
@@ -144,14 +158,12 @@ impl Bench {
         Ok(Self { name: case.name.to_owned(), mesh: case.mesh, tree, triangles, rays, exact, brute_force })
     }
 
-    /// Runs `method` on the case's rays, or on the first `limit` of them.
-    ///
-    /// # Errors
-    /// [`DstError`] if the dual-split tree is too large for its format.
-    pub fn run(&self, method: Method, netlist: Option<&Arc<Flat>>, limit: usize) -> Result<Cell, DstError> {
-        let instance = method.instance(&self.tree, &self.triangles, netlist)?;
+    /// Runs a method on the case's rays, or on the first `limit` of them.
+    #[must_use]
+    pub fn run(&self, instance: &Instance, limit: usize) -> Cell {
+        let method = instance.method;
         let mut cell = Cell::new(method, &self.name);
-        let at = usize::from(method.arithmetic.mode() == Mode::Robust);
+        let at = method.mode_index();
         for (i, ray) in self.rays.iter().enumerate().take(limit) {
             let found = instance.closest(ray);
             let (exact, every) = (&self.exact[i], self.brute_force[i][at]);
@@ -166,10 +178,10 @@ impl Bench {
             let every = (self.rays.len() / VISIT_RAYS).max(1);
             for ray in self.rays.iter().step_by(every).take(VISIT_RAYS) {
                 cell.visit_rays += 1;
-                cell.excess_visits += u64::from(self.is_slow(&instance, ray));
+                cell.excess_visits += u64::from(self.is_slow(instance, ray));
             }
         }
-        Ok(cell)
+        cell
     }
 
     /// The first ray that `method` fails on in the way that the case's counts show, with its exact answer.
@@ -208,47 +220,49 @@ fn turned(ray: &Ray) -> [Ray; 8] {
 /// Rays of one seed; more are split into such parts, which run on any thread.
 const CHUNK: u64 = 1 << 14;
 
-/// Runs `method` on `rays` rays that are aimed at the triangles of `mesh`, with the answer known by construction.
+/// A netlist takes about a thousand times as long as software: this many rays of a chunk are enough for it.
+const NETLIST_CHUNK: u64 = CHUNK / 1000;
+
+/// Runs every method on the same `rays` rays that are aimed at the triangles of `mesh`, with the answer known by
+/// construction; netlists on a thousandth of them.
 ///
 /// # Errors
 /// [`DstError`] if the dual-split tree is too large for its format.
 ///
 /// # Panics
 /// If there is no tree over the mesh.
-pub fn aimed_cell(
-    method: Method,
+pub fn aimed_cells(
+    methods: &[Method],
     (name, mesh): (&str, &Mesh),
     rays: u64,
     seed: u64,
     done: impl Fn(u64) + Sync,
-) -> Result<Cell, DstError> {
+) -> Result<Vec<Cell>, DstError> {
     let tree = build(mesh, &BuildOptions::new(Quality::Medium)).expect("a tree over the mesh");
-    let netlist = method.netlist();
-    let instance = method.instance(&tree, &pack_triangles(mesh, &tree), netlist.as_ref())?;
+    let structures = Structures::new(&tree, &pack_triangles(mesh, &tree))?;
+    let instances: Vec<Instance> =
+        methods.iter().map(|method| method.instance(&structures, method.netlist().as_ref())).collect();
+    let new_cells = || methods.iter().map(|method| Cell::new(*method, name)).collect::<Vec<_>>();
     let chunk = |index: u64| {
         let count = CHUNK.min(rays - index * CHUNK);
-        let mut cell = Cell::new(method, name);
-        for aimed in Aim::new(mesh, Mode::Robust, mixed(seed, index)).take(count as usize) {
-            let found = instance.closest(&aimed.ray);
-            cell.rays += 1;
-            cell.false_misses += u64::from(found.is_none());
-            cell.nan += u64::from(found.is_some_and(|hit| hit.t.is_nan()));
-            match aimed.in_mode(mesh, method.arithmetic.mode()) {
-                None => cell.triangle_test += 1,
-                Some(known) if known.is_lost(found) => {
-                    cell.lost += 1;
-                    cell.wrong_nearest += u64::from(found.is_some());
+        let mut cells = new_cells();
+        for (i, aimed) in (0..count).zip(Aim::new(mesh, Mode::Robust, mixed(seed, index))) {
+            let known = [aimed.in_mode(mesh, Mode::Fast), Some(aimed)];
+            for (cell, instance) in cells.iter_mut().zip(&instances) {
+                if i < NETLIST_CHUNK || !instance.method.is_hardware() {
+                    cell.judge_aimed(instance.closest(&aimed.ray), &known[instance.method.mode_index()]);
                 }
-                Some(_) => {}
             }
         }
         done(count);
-        cell
+        cells
     };
-    let cells: Vec<Cell> = (0..rays.div_ceil(CHUNK)).into_par_iter().map(chunk).collect();
-    let mut sum = Cell::new(method, name);
-    cells.iter().for_each(|cell| sum.merge(cell));
-    Ok(sum)
+    let merged = |mut sums: Vec<Cell>, cells: Vec<Cell>| {
+        sums.iter_mut().zip(&cells).for_each(|(sum, cell)| sum.merge(cell));
+        sums
+    };
+    // Sums of integers: the order does not matter.
+    Ok((0..rays.div_ceil(CHUNK)).into_par_iter().map(chunk).reduce(new_cells, merged))
 }
 
 /// A seed for part `index` (the finaliser of SplitMix64: Steele, Lea, Flood, OOPSLA 2014).

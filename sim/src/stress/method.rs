@@ -145,6 +145,11 @@ impl Method {
         arithmetics.map(|arithmetic| Self { structure: StructureKind::Dst, arithmetic }).collect()
     }
 
+    /// 0 where rays are prepared and triangles tested in fast mode, 1 in robust mode.
+    pub(super) fn mode_index(self) -> usize {
+        usize::from(self.arithmetic.mode() == Mode::Robust)
+    }
+
     /// Whether node steps are executed by a netlist, a thousand times slower.
     #[must_use]
     pub fn is_hardware(self) -> bool {
@@ -167,33 +172,46 @@ impl Method {
     }
 
     /// The method over one tree; `netlist` is what [`Method::netlist`] gave.
-    ///
-    /// # Errors
-    /// [`DstError`] if the dual-split tree is too large for its format.
-    pub fn instance(
-        self,
-        tree: &BinaryTree,
-        triangles: &Arc<[Triangle]>,
-        netlist: Option<&Arc<Flat>>,
-    ) -> Result<Instance, DstError> {
-        let wide = Structure::convert(self.structure, tree, triangles)?;
-        let dst = |wide: Structure| match wide {
+    #[must_use]
+    pub fn instance(self, structures: &Structures, netlist: Option<&Arc<Flat>>) -> Instance {
+        let wide = structures.get(self.structure);
+        let dst = || match &**wide {
             Structure::Dst(dst) => dst,
             _ => unreachable!("netlists step through dual-split trees"),
         };
         let traced = match (self.arithmetic, netlist) {
-            (Arithmetic::Native(_), _) => Traced::Native(wide),
-            (Arithmetic::Narrow(precision), _) => Traced::Narrow(NarrowStructure::new(&wide, precision)),
-            (Arithmetic::Netlist(_), Some(netlist)) => Traced::Netlist(dst(wide), netlist.clone()),
+            (Arithmetic::Native(_), _) => Traced::Native(wide.clone()),
+            (Arithmetic::Narrow(precision), _) => Traced::Narrow(NarrowStructure::new(wide, precision)),
+            (Arithmetic::Netlist(_), Some(netlist)) => Traced::Netlist(dst().clone(), netlist.clone()),
             (Arithmetic::NarrowNetlist(format), Some(netlist)) => {
                 let precision = Precision::new(format.format(), Variant::Naive);
-                Traced::NarrowNetlist(NarrowDst::new(&dst(wide), precision), netlist.clone())
+                Traced::NarrowNetlist(NarrowDst::new(dst(), precision), netlist.clone())
             }
             (Arithmetic::Netlist(_) | Arithmetic::NarrowNetlist(_), None) => {
                 unreachable!("hardware methods have a netlist")
             }
         };
-        Ok(Instance { method: self, traced })
+        Instance { method: self, traced }
+    }
+}
+
+/// All structures over one hierarchy, in binary32.
+#[derive(Debug)]
+pub struct Structures([Arc<Structure>; StructureKind::ALL.len()]);
+
+impl Structures {
+    /// Converts `tree`, whose triangles are `triangles`.
+    ///
+    /// # Errors
+    /// [`DstError`] if the dual-split tree is too large for its format.
+    pub fn new(tree: &BinaryTree, triangles: &Arc<[Triangle]>) -> Result<Self, DstError> {
+        let [a, b, c, d] =
+            StructureKind::ALL.map(|kind| Structure::convert(kind, tree, triangles).map(Arc::new));
+        Ok(Self([a?, b?, c?, d?]))
+    }
+
+    fn get(&self, kind: StructureKind) -> &Arc<Structure> {
+        self.0.iter().find(|structure| structure.kind() == kind).expect("a structure of each kind")
     }
 }
 
@@ -207,7 +225,7 @@ pub struct Instance {
 
 #[derive(Debug)]
 enum Traced {
-    Native(Structure),
+    Native(Arc<Structure>),
     Narrow(NarrowStructure),
     Netlist(Dst, Arc<Flat>),
     NarrowNetlist(NarrowDst, Arc<Flat>),

@@ -28,8 +28,8 @@ mod method;
 mod search;
 mod slice;
 
-pub use bench::{Bench, Cell, aimed_cell};
+pub use bench::{Bench, Cell, aimed_cells};
 pub use hardware::Hardware;
-pub use method::{Arithmetic, Instance, Method, MethodError};
+pub use method::{Arithmetic, Instance, Method, MethodError, Structures};
 pub use search::{Found, search};
 pub use slice::{Slice, slice};

@@ -5,7 +5,7 @@
 //! powers of two of units in the last place of one of the six numbers, mostly one; a step that does not lengthen the
 //! interval is taken, so that the walk can cross plateaus.
 
-use super::{Cell, Instance, Method};
+use super::{Cell, Method, Structures};
 use golden::build::{BuildOptions, Quality, build};
 use golden::dst::DstError;
 use golden::stress::aimed::{Aim, Aimed, nudged};
@@ -41,8 +41,8 @@ pub fn search(
     // One triangle to a leaf: the boxes are those of triangles.
     let options = BuildOptions { quality: Quality::Medium, max_leaf_size: 1 };
     let tree = build(mesh, &options).expect("a tree over the mesh");
-    let netlist = method.netlist();
-    let instance = method.instance(&tree, &pack_triangles(mesh, &tree), netlist.as_ref())?;
+    let structures = Structures::new(&tree, &pack_triangles(mesh, &tree))?;
+    let instance = method.instance(&structures, method.netlist().as_ref());
     let aim = Aim::new(mesh, Mode::Robust, seed);
     let starting: Vec<Aimed> = Aim::new(mesh, Mode::Robust, seed).take(starts as usize).collect();
     let walk = |(i, start): (usize, &Aimed)| {
@@ -60,7 +60,8 @@ pub fn search(
                 continue;
             }
             best = Some(Found { ray, slack_ulps });
-            trace(&instance, mesh, &aimed, &mut cell);
+            let known = aimed.in_mode(mesh, method.arithmetic.mode());
+            cell.judge_aimed(instance.closest(&ray), &known);
         }
         cell.least_slack_ulps = best.map(|best| best.slack_ulps);
         (cell, best)
@@ -77,26 +78,11 @@ pub fn search(
     Ok((sum, worst))
 }
 
-fn trace(instance: &Instance, mesh: &Mesh, aimed: &Aimed, cell: &mut Cell) {
-    let found = instance.closest(&aimed.ray);
-    cell.rays += 1;
-    cell.false_misses += u64::from(found.is_none());
-    cell.nan += u64::from(found.is_some_and(|hit| hit.t.is_nan()));
-    match aimed.in_mode(mesh, instance.method.arithmetic.mode()) {
-        None => cell.triangle_test += 1,
-        Some(known) => {
-            let lost = known.is_lost(found);
-            cell.lost += u64::from(lost);
-            cell.wrong_nearest += u64::from(lost && found.is_some());
-        }
-    }
-}
-
 /// `ray` with one of its numbers moved by a power of two of units in the last place.
 fn neighbour(ray: &Ray, random: &mut Random) -> Ray {
     let mut ray = *ray;
     let at = random.below(6);
-    let ulps = 1i32 << (random.below(12) * random.below(2));
+    let ulps = 1i32 << (random.below(24) * random.below(2));
     let component = if at < 3 { &mut ray.origin[at] } else { &mut ray.direction[at - 3] };
     *component = nudged(*component, if random.below(2) == 0 { ulps } else { -ulps });
     ray

@@ -1,14 +1,11 @@
 //! Pictures of ray space: the rays around a failing one, each judged against the exact answer.
 
+use super::Instance;
 use super::bench::{Bench, Judgement, judge};
-use super::{Instance, Method};
 use crate::picture::{Picture, font};
 use golden::Ray;
-use golden::dst::DstError;
 use golden::stress::oracle::Oracle;
-use hdl::netlist::Flat;
 use rayon::prelude::*;
-use std::sync::Arc;
 
 /// A picture, and what it is of.
 #[derive(Clone, Debug)]
@@ -25,7 +22,7 @@ pub struct Slice {
 const REACH: i32 = 40;
 /// Pixels to a ray.
 const PIXELS: u32 = 5;
-const STRIP: u32 = 64;
+const STRIP: u32 = 76;
 const BACKGROUND: [u8; 3] = [255; 3];
 const INK: [u8; 3] = [40; 3];
 
@@ -38,25 +35,22 @@ const KEY: [(&str, [u8; 3]); 5] = [
     ("false hit", [0, 0, 0]),
 ];
 
-/// The rays around the first one of `bench` that `method` fails on, or `None` if it fails on none.
+/// The rays around the first one of `bench` that the method fails on, or `None` if it fails on none.
 ///
 /// The two lesser components of the direction vary by steps of a fraction of a unit in the last place of the method's format.
-///
-/// # Errors
-/// [`DstError`] if the dual-split tree is too large for its format.
-pub fn slice(bench: &Bench, method: Method, netlist: Option<&Arc<Flat>>) -> Result<Option<Slice>, DstError> {
-    let instance = method.instance(&bench.tree, &bench.triangles, netlist)?;
-    let Some((ray, judgement)) = bench.first_failure(&instance) else { return Ok(None) };
+#[must_use]
+pub fn slice(bench: &Bench, instance: &Instance) -> Option<Slice> {
+    let (ray, judgement) = bench.first_failure(instance)?;
     let failure = match judgement {
         Judgement::FalseMiss => "false_miss",
         Judgement::FalseHit => "false_hit",
         Judgement::WrongNearest | Judgement::Right => "wrong_nearest",
     };
-    let bits = method.arithmetic.format().significand_bits() as i32;
+    let bits = instance.method.arithmetic.format().significand_bits() as i32;
     // In binary32 a step is what a float can do; narrower formats are shown between their numbers too.
     let exponent = if bits == 24 { -23 } else { -bits - 2 };
-    let picture = draw(bench, &instance, &ray, exponent);
-    Ok(Some(Slice { picture, failure, ray }))
+    let picture = draw(bench, instance, &ray, exponent);
+    Some(Slice { picture, failure, ray })
 }
 
 fn draw(bench: &Bench, instance: &Instance, ray: &Ray, exponent: i32) -> Picture<u8> {
@@ -86,14 +80,16 @@ fn draw(bench: &Bench, instance: &Instance, ray: &Ray, exponent: i32) -> Picture
     for (i, colour) in (0..).zip(&colours) {
         rectangle(&mut picture, [i % side * PIXELS, i / side * PIXELS], [PIXELS; 2], *colour);
     }
-    let top = side * PIXELS + 6;
+    let mut top = side * PIXELS + 6;
     let mut left = 6;
-    for (name, colour) in KEY {
-        if colours.contains(&colour) {
-            rectangle(&mut picture, [left, top], [10, 10], colour);
-            font::draw(&mut picture, left + 14, top + 1, name, INK);
-            left += 14 + font::width(name) + 10;
+    for (name, colour) in KEY.into_iter().filter(|(_, colour)| colours.contains(colour)) {
+        let width = 14 + font::width(name) + 10;
+        if left + width > picture.width {
+            (left, top) = (6, top + 14);
         }
+        rectangle(&mut picture, [left, top], [10, 10], colour);
+        font::draw(&mut picture, left + 14, top + 1, name, INK);
+        left += width;
     }
     font::draw(&mut picture, 6, top + 18, &instance.method.to_string(), INK);
     font::draw(&mut picture, 6, top + 30, &bench.name, INK);
