@@ -27,9 +27,22 @@ mod lanes {
             unsafe { Self(_mm_loadu_ps(x.as_ptr())) }
         }
         #[inline(always)]
-        pub fn pairs(low: [f32; 2], high: [f32; 2]) -> Self {
-            let pair = |x: [f32; 2]| i64::from(x[0].to_bits()) | i64::from(x[1].to_bits()) << 32;
-            unsafe { Self(_mm_castsi128_ps(_mm_set_epi64x(pair(high), pair(low)))) }
+        pub fn store(self, to: &mut [f32; 4]) {
+            unsafe { _mm_storeu_ps(to.as_mut_ptr(), self.0) }
+        }
+        #[inline(always)]
+        pub fn pairs(low: &[f32; 2], high: &[f32; 2]) -> Self {
+            unsafe {
+                Self(_mm_castpd_ps(_mm_loadh_pd(_mm_load_sd(low.as_ptr().cast()), high.as_ptr().cast())))
+            }
+        }
+        #[inline(always)]
+        pub fn shuffle<const LANES: i32>(self, b: Self) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<LANES>(self.0, b.0)) }
+        }
+        #[inline(always)]
+        pub fn sign_bits(self) -> u32 {
+            unsafe { _mm_movemask_ps(self.0) as u32 }
         }
         #[inline(always)]
         pub fn xxyy(x: f32, y: f32) -> Self {
@@ -152,8 +165,21 @@ mod lanes {
             Self(*x)
         }
         #[inline(always)]
-        pub fn pairs([x, y]: [f32; 2], [z, w]: [f32; 2]) -> Self {
-            Self([x, y, z, w])
+        pub fn store(self, to: &mut [f32; 4]) {
+            *to = self.0;
+        }
+        #[inline(always)]
+        pub fn pairs([x, y]: &[f32; 2], [z, w]: &[f32; 2]) -> Self {
+            Self([*x, *y, *z, *w])
+        }
+        #[inline(always)]
+        pub fn shuffle<const LANES: i32>(self, b: Self) -> Self {
+            let lane = |i: i32| (LANES >> (2 * i) & 3) as usize;
+            Self([self.0[lane(0)], self.0[lane(1)], b.0[lane(2)], b.0[lane(3)]])
+        }
+        #[inline(always)]
+        pub fn sign_bits(self) -> u32 {
+            (0..4).map(|i| u32::from(self.0[i].is_sign_negative()) << i).sum()
         }
         #[inline(always)]
         pub fn xxyy(x: f32, y: f32) -> Self {
@@ -254,3 +280,8 @@ mod lanes {
 }
 
 pub(crate) use lanes::F32x4;
+
+/// The lanes that [`F32x4::shuffle`] takes: `a` and `b` of the first operand, `c` and `d` of the second.
+pub(crate) const fn lanes(a: i32, b: i32, c: i32, d: i32) -> i32 {
+    a | b << 2 | c << 4 | d << 6
+}

@@ -22,6 +22,8 @@ pub struct TreeStatistics {
     /// Expected number of nodes that a ray through the root's box reads without early termination: all children of every
     /// inner BVH node that it meets, or every dual-split node whose remaining box it meets.
     pub expected_node_visits: f64,
+    /// Expected number of triangles that such a ray tests: the sum over leaves of area x triangles / area of the root.
+    pub expected_triangle_tests: f64,
     /// Most steps from the root to a leaf; a carve is a step.
     pub max_depth: u32,
     /// Number of leaves at each depth.
@@ -46,6 +48,13 @@ pub struct CarveStatistics {
 }
 
 impl TreeStatistics {
+    /// What a ray through the root's box is expected to cost if a node and a triangle cost the same: the cost that the
+    /// structure itself has, where [`Self::sah_cost`] compares partitions.
+    #[must_use]
+    pub fn own_cost(&self) -> f64 {
+        self.expected_node_visits + self.expected_triangle_tests
+    }
+
     /// The statistics of `structure`.
     ///
     /// # Panics
@@ -115,8 +124,10 @@ fn of_dst(dst: &Dst) -> TreeStatistics {
 struct Sums<'a> {
     root_half_area: f64,
     triangles: &'a [Triangle],
+    /// Of the inner nodes.
     sah_cost: f64,
     node_visits: f64,
+    triangle_tests: f64,
     by_depth: Vec<u64>,
     by_size: Vec<u64>,
 }
@@ -124,7 +135,15 @@ struct Sums<'a> {
 impl<'a> Sums<'a> {
     fn new(root: Aabb, triangles: &'a [Triangle]) -> Self {
         let root_half_area = root.half_area();
-        Self { root_half_area, triangles, sah_cost: 0.0, node_visits: 0.0, by_depth: vec![], by_size: vec![] }
+        Self {
+            root_half_area,
+            triangles,
+            sah_cost: 0.0,
+            node_visits: 0.0,
+            triangle_tests: 0.0,
+            by_depth: vec![],
+            by_size: vec![],
+        }
     }
 
     /// The probability that a ray through the root meets `aabb`; 1 if the root has no area.
@@ -140,7 +159,7 @@ impl<'a> Sums<'a> {
     fn leaf(&mut self, first_triangle: u32, share: f64, depth: usize) {
         let rest = &self.triangles[first_triangle as usize..];
         let size = rest.iter().position(Triangle::is_last).expect("leaves have a last triangle") + 1;
-        self.sah_cost += share * size as f64;
+        self.triangle_tests += share * size as f64;
         for (histogram, at) in [(&mut self.by_depth, depth), (&mut self.by_size, size)] {
             histogram.resize(histogram.len().max(at + 1), 0);
             histogram[at] += 1;
@@ -152,8 +171,9 @@ impl<'a> Sums<'a> {
             nodes: nodes as u64,
             leaves: self.by_size.iter().sum(),
             bytes: bytes as u64,
-            sah_cost: self.sah_cost,
+            sah_cost: self.sah_cost + self.triangle_tests,
             expected_node_visits: self.node_visits,
+            expected_triangle_tests: self.triangle_tests,
             max_depth: self.by_depth.len() as u32 - 1,
             leaves_by_depth: self.by_depth,
             leaves_by_size: self.by_size,

@@ -6,6 +6,7 @@ mod support;
 
 use golden::build::{BinaryTree, BuildError, BuildOptions, MAX_DEPTH, Quality, build};
 use golden::stress::shapes::soup;
+use golden::structure::{Structure, StructureKind, pack_triangles};
 use proptest::prelude::*;
 use scenes::Mesh;
 use support::random_soup;
@@ -134,6 +135,19 @@ fn high_is_no_worse_than_the_best_peer() {
             let ratio = tree.sah_cost() / peer::very_slow_sah_cost(&mesh, max_leaf_size);
             assert!(ratio <= 1.0, "{name}, {max_leaf_size} triangles in a leaf: {ratio}");
         }
+    }
+}
+
+/// The example `dst_size` shows all scenes.
+#[test]
+fn dual_split_trees_take_at_most_seven_tenths_of_the_bytes() {
+    for name in ["bunny", "sanmiguel_leaves"] {
+        let Some(mesh) = support::shared_scene(name) else { return };
+        let tree = build(&mesh, &BuildOptions::new(Quality::High)).expect("a tree");
+        let triangles = pack_triangles(&mesh, &tree);
+        let [bvh2, dst] = [StructureKind::Bvh2, StructureKind::Dst]
+            .map(|kind| Structure::convert(kind, &tree, &triangles).expect("a small scene").node_bytes());
+        assert!(10 * dst <= 7 * bvh2, "{name}: {dst} of {bvh2} bytes");
     }
 }
 

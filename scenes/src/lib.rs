@@ -10,6 +10,7 @@ pub mod obj;
 pub mod output;
 pub mod procedural;
 mod report;
+pub mod split_mix;
 
 pub use frame::frame;
 pub use load::SceneError;

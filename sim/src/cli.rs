@@ -45,7 +45,7 @@ pub struct Global {
 pub enum Command {
     /// List the built-in scenes, or write one to an OBJ file.
     Scenes(ScenesArgs),
-    /// Build all structures over a scene and print their sizes, costs and histograms.
+    /// Build all structures over a scene and print their sizes, costs and histograms; save one to a file.
     Tree(TreeArgs),
     /// Trace a file of rays for their closest hits and write the hits.
     Trace(TraceArgs),
@@ -68,6 +68,8 @@ pub enum Command {
     Stress(StressArgs),
     /// Find the least hardware that a scene needs at an error budget, and write it as TOML with a chart of each knee.
     Needs(NeedsArgs),
+    /// Estimate area, energy and clock of the pipelines, beside the published figures.
+    Estimate(EstimateArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -143,6 +145,55 @@ pub struct TreeArgs {
     pub scene: SceneArgs,
     #[command(flatten)]
     pub quality: QualityArgs,
+    /// Save a structure to this file, for --tree of other commands.
+    #[arg(long, value_name = "FILE")]
+    pub save: Option<PathBuf>,
+    /// The structure to save; dst_scratch is the dual-split tree with a partition of its own.
+    #[arg(long, default_value = "dst", requires = "save", value_parser = row())]
+    pub structure: TreeRow,
+}
+
+/// A line of the table of trees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeRow {
+    /// Converted from the one binary hierarchy.
+    Converted(StructureKind),
+    /// The dual-split tree of a partition that is made for it.
+    DstScratch,
+}
+
+impl TreeRow {
+    /// All of them, in the order of the table.
+    pub const ALL: [Self; StructureKind::ALL.len() + 1] = {
+        let mut all = [Self::DstScratch; StructureKind::ALL.len() + 1];
+        let mut i = 0;
+        while i < StructureKind::ALL.len() {
+            all[i] = Self::Converted(StructureKind::ALL[i]);
+            i += 1;
+        }
+        all
+    };
+
+    /// The name on the command line and in result files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converted(kind) => kind.name(),
+            Self::DstScratch => "dst_scratch",
+        }
+    }
+}
+
+/// The structure that rays are traced through: built, or loaded from a file.
+#[derive(Args, Clone, Debug)]
+pub struct StructureArgs {
+    /// The structure that rays are traced through; all give the same hits.
+    #[arg(long, default_value = "dst", value_parser = structure())]
+    pub structure: StructureKind,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Load the structure from this file, which `dualsplit tree SCENE --save FILE` has written, instead of building it.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["structure", "quality"])]
+    pub tree: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]
@@ -152,13 +203,10 @@ pub struct TraceArgs {
     /// The rays to trace, a DSTRAYS1 file.
     #[arg(long, value_name = "FILE")]
     pub rays: PathBuf,
-    /// The structure to trace them through.
-    #[arg(long, default_value = "dst", value_parser = structure())]
-    pub structure: StructureKind,
+    #[command(flatten)]
+    pub structure: StructureArgs,
     #[command(flatten)]
     pub mode: ModeArgs,
-    #[command(flatten)]
-    pub quality: QualityArgs,
     /// Where to write the hits, a DSTHITS1 file.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -168,16 +216,13 @@ pub struct TraceArgs {
 pub struct RenderArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// The structure that rays are traced through; all give the same picture.
-    #[arg(long, default_value = "dst", value_parser = structure())]
-    pub structure: StructureKind,
+    #[command(flatten)]
+    pub structure: StructureArgs,
     /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
     #[arg(long, default_value = "path", value_parser = test())]
     pub test: Test,
     #[command(flatten)]
     pub mode: ModeArgs,
-    #[command(flatten)]
-    pub quality: QualityArgs,
     #[command(flatten)]
     pub view: ViewArgs,
     /// Samples per pixel.
@@ -361,6 +406,27 @@ pub struct NeedsArgs {
 }
 
 #[derive(Args, Debug)]
+pub struct EstimateArgs {
+    /// Standard cells to map to: a liberty file, which may be gzip-compressed; several if a library has several
+    /// [default: an embedded table].
+    #[arg(long, value_name = "FILE")]
+    pub liberty: Vec<PathBuf>,
+    /// Synthesise the exported Verilog with yosys and ABC too, for minutes, and print both.
+    #[arg(long)]
+    pub synth: bool,
+    /// The scene whose rays make the nets change: a built-in one or an OBJ file, which may be xz-compressed.
+    #[arg(long, default_value = "courtyard")]
+    pub scene: String,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// A folder for the report as text, CSV, JSON and HTML; one that this command made before is written anew.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
 pub struct ReproduceArgs {
     /// smoke: minute scenes and pictures, seconds; quick: small ones, under two minutes on two cores.
     #[arg(long, default_value = "quick", value_parser = ["smoke", "quick"])]
@@ -399,6 +465,10 @@ fn format() -> impl TypedValueParser<Value = StandardFormat> {
 
 fn structure() -> impl TypedValueParser<Value = StructureKind> {
     one_of(StructureKind::ALL, StructureKind::name)
+}
+
+fn row() -> impl TypedValueParser<Value = TreeRow> {
+    one_of(TreeRow::ALL, TreeRow::name)
 }
 
 fn test() -> impl TypedValueParser<Value = Test> {

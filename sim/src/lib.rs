@@ -1,9 +1,10 @@
 //! What the tool `dualsplit` is made of, as a library: pictures and their comparison, traversal step by step, the hardware
-//! as gates, and its area and energy.
+//! as gates, its area and energy, and the machine that it is part of.
 
 pub mod charts;
 pub mod estimate;
 pub mod gates;
+pub mod machine;
 pub mod needs;
 pub mod picture;
 pub mod plot;

@@ -35,7 +35,7 @@ fn tree() {
     assert_eq!(document["triangles"], 6);
     let structures = document["structures"].as_array().unwrap();
     let names: Vec<_> = structures.iter().map(|s| s["name"].as_str().unwrap()).collect();
-    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "dst"]);
+    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "dst", "dst_scratch"]);
     for s in structures {
         has_keys(
             s,
@@ -55,6 +55,50 @@ fn tree() {
     let text = String::from_utf8(work.run("tree scene.obj").stdout).unwrap();
     for words in ["| bvh8", "Leaves by depth", "Children by number of carve nodes"] {
         assert!(text.contains(words), "{text}");
+    }
+}
+
+#[test]
+fn saved_trees() {
+    let work = Workplace::new();
+    let size = "--size 40x30";
+    work.json(&format!("render scene.obj {size} --out built.png --rays a.rays"));
+    work.json("trace scene.obj --rays a.rays --out built.hits");
+    for structure in ["bvh2", "bvh4", "bvh8", "dst", "dst_scratch"] {
+        let document = work.json(&format!("tree scene.obj --save {structure}.tree --structure {structure}"));
+        assert_eq!(document["saved"], format!("{structure}.tree"));
+        let trace = work
+            .json(&format!("trace scene.obj --rays a.rays --tree {structure}.tree --out {structure}.hits"));
+        assert_eq!(trace["structure"], structure.trim_end_matches("_scratch"));
+        assert_eq!(work.read(&format!("{structure}.hits")), work.read("built.hits"));
+        work.json(&format!("render scene.obj {size} --tree {structure}.tree --out {structure}.png"));
+        assert_eq!(work.read(&format!("{structure}.png")), work.read("built.png"));
+    }
+    assert_ne!(work.read("bvh2.tree"), work.read("dst.tree"));
+    work.refused("tree scene.obj --save dst.tree", &["dst.tree", "--force"]);
+    work.json("tree scene.obj --save dst.tree --force");
+    work.refused("tree scene.obj --structure bvh2", &["--save"]);
+    work.refused("tree scene.obj --save nowhere/a.tree", &["nowhere"]);
+
+    let trace = |tree: &str| format!("trace scene.obj --rays a.rays --tree {tree}");
+    work.refused(&format!("{} --structure bvh2", trace("dst.tree")), &["--structure", "--tree"]);
+    work.refused(&format!("{} --quality fast", trace("dst.tree")), &["--quality", "--tree"]);
+    work.refused(&trace("missing.tree"), &["missing.tree"]);
+    work.refused(&trace("scene.obj"), &["scene.obj", "not a dual-split tree file"]);
+    let mut bytes = work.read("dst.tree");
+    work.write("short.tree", &bytes[..bytes.len() - 1]);
+    work.refused(&trace("short.tree"), &["short.tree", "bytes", "save the tree again"]);
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 4;
+    work.write("damaged.tree", &bytes);
+    work.refused(&trace("damaged.tree"), &["damaged.tree", "checksum"]);
+
+    let scene = String::from_utf8(work.read("scene.obj")).unwrap();
+    work.write("moved.obj", scene.replace("v 0 1.5 0", "v 0 1.25 0").as_bytes());
+    work.write("smaller.obj", scene.replace("f 1 2 5\n", "").as_bytes());
+    for (other, words) in [("moved.obj", "triangle"), ("smaller.obj", "6 triangles, the scene has 5")] {
+        let line = format!("--tree dst.tree --out a.png {size}");
+        work.refused(&format!("render {other} {line}"), &["dst.tree", words, "save one of this scene"]);
     }
 }
 

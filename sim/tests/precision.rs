@@ -15,10 +15,20 @@ fn chart_precision() {
     for point in points {
         has_keys(
             point,
-            &["format", "variant", "node_visits", "false_misses", "rmse", "differing_pixels", "pareto", "gates"],
+            &[
+                "format",
+                "variant",
+                "node_visits",
+                "false_misses",
+                "rmse",
+                "differing_pixels",
+                "pareto",
+                "gates",
+            ],
         );
         if point["variant"] == "conservative" {
-            for error in ["false_misses", "false_hits", "wrong_nearest", "other_distance", "differing_pixels"] {
+            for error in ["false_misses", "false_hits", "wrong_nearest", "other_distance", "differing_pixels"]
+            {
                 assert_eq!(point[error], 0, "{error} in {point}");
             }
             let visits = point["node_visits"].as_u64().unwrap();
@@ -53,7 +63,10 @@ fn stress() {
         mine.map(|cell| cell[key].as_u64().unwrap()).sum()
     };
     for cell in cells {
-        has_keys(cell, &["method", "case", "rays", "false_misses", "false_hits", "wrong_nearest", "nan", "lost"]);
+        has_keys(
+            cell,
+            &["method", "case", "rays", "false_misses", "false_hits", "wrong_nearest", "nan", "lost"],
+        );
     }
     for safe in ["dst/binary32-robust", "bvh4/e4m3-conservative", "rtl/binary32-robust"] {
         assert!(sum(safe, "rays") > 50, "{safe}");
@@ -75,7 +88,15 @@ fn needs() {
     let document = work.json("needs scene.obj --size 24x24 --out needs");
     has_keys(
         &document,
-        &["significand_bits", "exponent_bits", "stack_entries", "address_bits", "carve_levels", "cache_bytes", "tms"],
+        &[
+            "significand_bits",
+            "exponent_bits",
+            "stack_entries",
+            "address_bits",
+            "carve_levels",
+            "cache_bytes",
+            "tms",
+        ],
     );
     assert!(document["significand_bits"].as_u64().unwrap() < 24);
     let toml = String::from_utf8(work.read("needs/needs.toml")).unwrap();

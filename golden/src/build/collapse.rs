@@ -3,11 +3,17 @@
 use super::bounds::Bounds;
 use super::work::{BoundsPair, Link, Slot, WorkTree};
 
-/// Makes leaves of up to `max_leaf_size` triangles out of subtrees, so that the SAH cost is the least that
-/// any such choice reaches; a leaf that is larger already stays. Ties go to the leaf. The result is laid out
-/// depth-first.
-pub(super) fn collapse_leaves(tree: &WorkTree, max_leaf_size: u32) -> WorkTree {
-    let subtrees = Subtrees::new(tree, max_leaf_size);
+/// Makes leaves of up to `max_leaf_size` triangles out of subtrees, so that the sum of `cost` over the inner nodes and of
+/// half area x triangles over the leaves is the least that any such choice reaches; a leaf that is larger
+/// already stays. Ties go to the leaf. The result is laid out depth-first.
+///
+/// `cost` is a function of a node's box and its children's; with the node's half area, the sum is the SAH cost.
+pub(super) fn collapse_leaves(
+    tree: &WorkTree,
+    max_leaf_size: u32,
+    cost: impl Fn(Bounds, [Bounds; 2]) -> f64,
+) -> WorkTree {
+    let subtrees = Subtrees::new(tree, max_leaf_size, cost);
     let pairs = tree.links.len();
     let mut result = WorkTree {
         bounds: Vec::with_capacity(pairs),
@@ -39,6 +45,11 @@ pub(super) fn collapse_leaves(tree: &WorkTree, max_leaf_size: u32) -> WorkTree {
     result
 }
 
+/// What an inner node costs under the surface area heuristic.
+pub(super) fn surface_area(node: Bounds, _children: [Bounds; 2]) -> f64 {
+    node.half_area()
+}
+
 /// Facts about the subtree of each slot.
 struct Subtrees {
     /// The least cost, in area.
@@ -48,25 +59,33 @@ struct Subtrees {
 }
 
 impl Subtrees {
-    fn new(tree: &WorkTree, max_leaf_size: u32) -> Self {
+    fn new(tree: &WorkTree, max_leaf_size: u32, cost: impl Fn(Bounds, [Bounds; 2]) -> f64) -> Self {
         let slots = 2 * tree.links.len();
         let mut subtrees =
             Self { cost: vec![0.0; slots], triangles: vec![0; slots], becomes_leaf: vec![false; slots] };
         for pair in tree.pairs_depth_first().into_iter().rev() {
-            subtrees.visit(tree, 2 * pair, max_leaf_size);
-            subtrees.visit(tree, 2 * pair + 1, max_leaf_size);
+            subtrees.visit(tree, 2 * pair, max_leaf_size, &cost);
+            subtrees.visit(tree, 2 * pair + 1, max_leaf_size, &cost);
         }
-        subtrees.visit(tree, WorkTree::ROOT, max_leaf_size);
+        subtrees.visit(tree, WorkTree::ROOT, max_leaf_size, &cost);
         subtrees
     }
 
-    fn visit(&mut self, tree: &WorkTree, slot: u32, max_leaf_size: u32) {
-        let area = tree.bounds(slot).half_area();
+    fn visit(
+        &mut self,
+        tree: &WorkTree,
+        slot: u32,
+        max_leaf_size: u32,
+        cost: &impl Fn(Bounds, [Bounds; 2]) -> f64,
+    ) {
+        let bounds = tree.bounds(slot);
+        let area = bounds.half_area();
         let (triangles, cost, becomes_leaf) = match tree.slot(slot) {
             Slot::Inner(pair) => {
                 let [left, right] = [2 * pair as usize, 2 * pair as usize + 1];
                 let triangles = self.triangles[left] + self.triangles[right];
-                let inner_cost = area + self.cost[left] + self.cost[right];
+                let own_cost = cost(bounds, tree.bounds[pair as usize].0);
+                let inner_cost = own_cost + self.cost[left] + self.cost[right];
                 let leaf_cost = area * f64::from(triangles);
                 let becomes_leaf = triangles <= max_leaf_size && leaf_cost <= inner_cost;
                 (triangles, if becomes_leaf { leaf_cost } else { inner_cost }, becomes_leaf)
@@ -106,7 +125,7 @@ mod tests {
         #[test]
         fn cost_is_the_least_of_all_collapses((mesh, splits) in triangles(1..9), max_leaf_size in 1_u32..6) {
             let tree = random_tree(&mesh, &splits);
-            let collapsed = collapse_leaves(&tree, max_leaf_size).to_tree();
+            let collapsed = collapse_leaves(&tree, max_leaf_size, surface_area).to_tree();
             collapsed.validate(&mesh).expect("a hierarchy");
             let (costs, _) = all_costs(&tree, WorkTree::ROOT, max_leaf_size as usize);
             let least = costs.into_iter().fold(f64::INFINITY, f64::min);

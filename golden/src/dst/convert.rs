@@ -2,8 +2,8 @@
 //!
 //! For every inner node and each axis, the child whose centre is lower becomes the left one, and the split stores the left
 //! child's max and the right child's min plane. Each half is cut down to its child's box by a chain of at most three
-//! carve nodes, two planes each: a half shares at least one of its six planes with the child. Among all axes,
-//! pairings of the missing planes and orders of the chain, the cheapest is taken:
+//! carve nodes, two planes each: a half shares at least one of its six planes with the child. Among all axes that need
+//! the fewest carve nodes, pairings of the missing planes and orders of the chain, the cheapest is taken:
 //!
 //! ```text
 //! cost = area(parent) + sum over the carve nodes of both chains of area(what is left when it is visited)
@@ -164,10 +164,11 @@ impl Plan {
     }
 
     pub(super) fn best(parent: &Aabb, boxes: &[Aabb; 2]) -> Plan {
+        let carves = carves_by_axis(parent, boxes);
+        let fewest = carves[0].min(carves[1]).min(carves[2]);
         let mut best: Option<(f64, Plan)> = None;
-        for axis in 0..3 {
-            let centre = |b: &Aabb| f64::from(b.min[axis]) + f64::from(b.max[axis]);
-            let order = if centre(&boxes[0]) <= centre(&boxes[1]) { [0, 1] } else { [1, 0] };
+        for axis in (0..3).filter(|axis| carves[*axis] == fewest) {
+            let order = left_to_right(boxes, axis);
             let regions = halves(parent, axis, &boxes[order[0]], &boxes[order[1]]);
             let left = Chain::best(&regions[0], &boxes[order[0]]);
             let right = Chain::best(&regions[1], &boxes[order[1]]);
@@ -176,8 +177,32 @@ impl Plan {
                 best = Some((cost, Plan { axis, order, chains: [left, right] }));
             }
         }
-        best.expect("there are three axes").1
+        best.expect("one has the fewest").1
     }
+}
+
+/// The fewest carve nodes with which the halves of `parent` are cut down to `boxes`, over all split axes.
+pub(crate) fn fewest_carves(parent: &Aabb, boxes: &[Aabb; 2]) -> u32 {
+    let [x, y, z] = carves_by_axis(parent, boxes);
+    x.min(y).min(z)
+}
+
+/// The number of carve nodes for each split axis: half as many as sides that neither the parent nor the split gives.
+fn carves_by_axis(parent: &Aabb, boxes: &[Aabb; 2]) -> [u32; 3] {
+    let differs = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| u32::from(a[i].to_bits() != b[i].to_bits()));
+    let min = boxes.map(|b| differs(b.min, parent.min));
+    let max = boxes.map(|b| differs(b.max, parent.max));
+    let sides = [0, 1].map(|i| min[i].iter().sum::<u32>() + max[i].iter().sum::<u32>());
+    [0, 1, 2].map(|axis| {
+        let [left, right] = left_to_right(boxes, axis);
+        (sides[left] - max[left][axis]).div_ceil(2) + (sides[right] - min[right][axis]).div_ceil(2)
+    })
+}
+
+/// The indices of the children with the lower and the higher centre on `axis`; equal ones stay in order.
+fn left_to_right(boxes: &[Aabb; 2], axis: usize) -> [usize; 2] {
+    let centre = |b: &Aabb| f64::from(b.min[axis]) + f64::from(b.max[axis]);
+    if centre(&boxes[0]) <= centre(&boxes[1]) { [0, 1] } else { [1, 0] }
 }
 
 impl Chain {
@@ -281,6 +306,39 @@ impl Carve {
             Header::CarveSingle { axis: a.0 as u32, leaf, offset }
         } else {
             Header::CarveDual { axes: [a.0 as u32, b.0 as u32], is_min: [a.1, b.1], leaf, offset }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn aabb() -> impl Strategy<Value = Aabb> {
+        prop::array::uniform2(prop::array::uniform3(-2i8..=2))
+            .prop_map(|points| Aabb::of_points(&points.map(|p| p.map(f32::from))))
+    }
+
+    proptest! {
+        #[test]
+        fn plans_have_the_fewest_carves_and_give_both_boxes(boxes in [aabb(), aabb()]) {
+            let parent = boxes[0].union(boxes[1]);
+            let plan = Plan::best(&parent, &boxes);
+            let carves: usize = plan.chains.iter().map(|chain| chain.len).sum();
+            prop_assert_eq!(carves as u32, fewest_carves(&parent, &boxes));
+            let [left, right] = plan.order.map(|child| boxes[child]);
+            let regions = halves(&parent, plan.axis, &left, &right);
+            for ((mut region, target), chain) in regions.into_iter().zip([left, right]).zip(plan.chains) {
+                for carve in &chain.carves[..chain.len] {
+                    carve.apply(&mut region, &target);
+                }
+                prop_assert_eq!(region.to_bits(), target.to_bits());
+            }
+            // No other order of the axes does better: the two planes of the split are the only ones that are free.
+            let new = |b: &Aabb| b.to_bits().iter().zip(parent.to_bits()).filter(|(a, b)| **a != *b).count();
+            let planes = new(&boxes[0]) + new(&boxes[1]);
+            prop_assert!(2 * carves + 2 >= planes);
         }
     }
 }

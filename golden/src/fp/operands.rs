@@ -1,6 +1,7 @@
 //! Operands that find faults in floating-point units: boundary patterns and seeded random streams.
 
 use super::format::Format;
+use scenes::split_mix;
 
 /// All values whose exponent lies at or beside a boundary and whose fraction is a boundary pattern, of either sign:
 /// zeros, subnormals, powers of two and their neighbours, runs of ones, infinities, quiet and signalling NaNs.
@@ -64,13 +65,9 @@ impl Operands {
         Self { format, patterns: patterns(format), state: seed }
     }
 
-    /// 64 uniform bits (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014).
+    /// 64 uniform bits.
     pub fn bits(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        split_mix::next(&mut self.state)
     }
 
     /// One operand: a uniform bit pattern, a boundary pattern, or a number of moderate size, each in a third of all draws.

@@ -1,6 +1,7 @@
 //! Sample points and directions, a function of seed, pixel, sample and bounce alone.
 
 use glam::DVec3;
+use scenes::split_mix::hash;
 
 /// The Owen-scrambled Sobol sequence of one pixel.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +15,7 @@ const FIRST_BOUNCE_DIMENSION: u32 = 2;
 
 impl PixelSamples {
     pub fn new(seed: u64, pixel: u64) -> Self {
-        Self { seed: (mix(mix(seed).wrapping_add(pixel)) >> 32) as u32 }
+        Self { seed: (hash(hash(seed).wrapping_add(pixel)) >> 32) as u32 }
     }
 
     /// Where sample `sample` is in its pixel, from the upper left corner; the first is in the centre.
@@ -30,14 +31,6 @@ impl PixelSamples {
     fn point(self, sample: u32, dimension: u32) -> [f64; 2] {
         [0, 1].map(|i| f64::from(sobol_burley::sample(sample, dimension + i, self.seed)))
     }
-}
-
-/// The mixing function of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014), after one step of its counter.
-fn mix(counter: u64) -> u64 {
-    let z = counter.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ z >> 31
 }
 
 /// The direction at `point` of the cosine-weighted distribution around the unit vector `normal`.

@@ -6,11 +6,11 @@
 //! the specification's steps; only the moment at which an empty child is noticed differs.
 
 use super::NoObserver;
+use super::box_test::BoxTest;
 use super::dst_rows::Rows;
 use super::query::Query;
 use super::stack::Stack;
 use crate::build::MAX_DEPTH;
-use crate::bvh::box_step;
 use crate::dst::Dst;
 use crate::dst::header::{AXIS, CARVE, LEAF, OFFSET, SIZE};
 use crate::simd::F32x4;
@@ -28,13 +28,12 @@ struct Place {
 #[inline(always)]
 pub(super) fn traverse<const ANY: bool>(dst: &Dst, query: &mut Query<'_, ANY>) -> bool {
     let ray = query.ray;
-    let root = box_step(&dst.root_box, ray, ray.t_min, ray.t_max);
-    if !root.hit {
+    let Some([t_min, t_max]) = BoxTest::new(ray).interval(&dst.root_box, ray.t_max) else {
         return false;
-    }
+    };
     let rows = Rows::new(ray);
     let mut stack = Stack::<Place, { MAX_DEPTH as usize }>::new();
-    let mut here = Place { target: target(dst.node(0)[0], 0), t_min: root.t_entry, t_max: root.t_exit };
+    let mut here = Place { target: target(dst.node(0)[0], 0), t_min, t_max };
     loop {
         loop {
             if LEAF.get(here.target) == 1 {
@@ -45,7 +44,7 @@ pub(super) fn traverse<const ANY: bool>(dst: &Dst, query: &mut Query<'_, ANY>) -
             }
             // SAFETY: a `Dst` is only made by conversion or by a validated load; its offsets are in range.
             let node = unsafe { dst.node_unchecked(here.target) };
-            let header = node[0];
+            let header = node.0;
             let (entry, exit) = (F32x4::splat(here.t_min), F32x4::splat(here.t_max));
             if CARVE.get(header) == 1 {
                 // The second or third of a chain; the first was tested with its split.
@@ -62,17 +61,18 @@ pub(super) fn traverse<const ANY: bool>(dst: &Dst, query: &mut Query<'_, ANY>) -
             let (left, right) = unsafe { (dst.node_unchecked(left_at), dst.node_unchecked(right_at)) };
             let (entry, exit) = rows.split(node, entry, exit);
             let (entry, exit) = rows.carve(left, right, entry, exit);
-            let left = Place { target: target(left[0], left_at), t_min: entry.x(), t_max: exit.x() };
-            let right = Place { target: target(right[0], right_at), t_min: entry.z(), t_max: exit.z() };
+            let left = || Place { target: target(left.0, left_at), t_min: entry.x(), t_max: exit.x() };
+            let right = || Place { target: target(right.0, right_at), t_min: entry.z(), t_max: exit.z() };
             match entry.le(exit) & 0b101 {
                 0b101 => {
+                    let (left, right) = (left(), right());
                     let (near, far) =
                         if rows.is_negative(AXIS.get(header)) { (right, left) } else { (left, right) };
                     stack.push(far);
                     here = near;
                 }
-                0b001 => here = left,
-                0b100 => here = right,
+                0b001 => here = left(),
+                0b100 => here = right(),
                 _ => break,
             }
         }

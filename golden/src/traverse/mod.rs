@@ -9,6 +9,7 @@
 //! [`minimum_number`](crate::fp::minimum_number) in the sign of a zero at most: `t_min` is never NaN nor -0, and
 //! comparisons do not see the sign of `t_max`. [`Leaves`] steps through the specification itself.
 
+mod box_test;
 mod brute_force;
 mod bvh;
 mod dst;

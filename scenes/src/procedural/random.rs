@@ -1,13 +1,7 @@
 //! Random numbers that are the same on every machine.
 
+use crate::split_mix::{STEP, hash, mix, next};
 use glam::DVec3;
-
-/// The mixing function of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): a bijection of 64-bit integers.
-fn mix(mut z: u64) -> u64 {
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ (z >> 31)
-}
 
 /// SplitMix64. Each item of a scene has a generator of its own, so that it looks the same at every detail.
 #[derive(Clone, Debug)]
@@ -16,16 +10,13 @@ pub(super) struct Random {
 }
 
 impl Random {
-    const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
-
     /// The generator of item `item` of kind `kind`, independent of all others with this seed.
     pub(super) fn new(seed: u64, kind: u64, item: u64) -> Self {
-        Self { state: mix(mix(mix(seed.wrapping_add(Self::STEP)) ^ kind).wrapping_add(Self::STEP) ^ item) }
+        Self { state: mix(mix(hash(seed) ^ kind).wrapping_add(STEP) ^ item) }
     }
 
     pub(super) fn bits(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(Self::STEP);
-        mix(self.state)
+        next(&mut self.state)
     }
 
     /// Uniform in [0, 1), a multiple of 2^-53.

@@ -3,6 +3,7 @@
 mod chart;
 mod check;
 mod compare;
+mod estimate;
 mod explain;
 mod export;
 mod needs;
@@ -40,6 +41,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Chart(args)) => chart::run(args, global),
         Some(Command::Stress(args)) => stress::run(args, global),
         Some(Command::Needs(args)) => needs::run(args, global),
+        Some(Command::Estimate(args)) => estimate::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

@@ -1,0 +1,272 @@
+$CPI0_0:
+main:                           #: start
+    addiu $sp, $sp, -552
+    sdc1 $f28, 544($sp)
+    sdc1 $f26, 536($sp)
+    sdc1 $f24, 528($sp)
+    sdc1 $f22, 520($sp)
+    sdc1 $f20, 512($sp)
+    addiu $5, $zero, 0
+    LOAD $2, $5, 8              #: parameters
+    LOAD $3, $5, 14             #: parameters
+    LOAD $4, $5, 7              #: parameters
+    LOAD $5, $5, 1              #: parameters
+    ATOMIC_INC $6, 0
+    slt $1, $6, $5
+    beqz $1, $BB0_23            #: no_more
+    nop
+    addiu $7, $sp, 0
+    lwc1 $f0, %gp_rel($CPI0_0)($gp)
+    mtc1 $zero, $f1
+    addiu $9, $sp, 256
+    j $BB0_3
+    addiu $8, $7, -4
+$BB0_2:
+    sll $1, $6, 1
+    addu $6, $1, $4
+    STORE $f4, $6, 0            #: result
+    STORE $10, $6, 1            #: result
+    ATOMIC_INC $6, 0
+    slt $1, $6, $5
+    beqz $1, $BB0_23            #: no_more
+    nop
+$BB0_3:                         #: ray
+    sll $1, $6, 3
+    addiu $10, $zero, -1
+    addiu $14, $zero, 0
+    addu $11, $1, $3
+    LOAD $f2, $11, 0            #: ray
+    LOAD $f3, $11, 1            #: ray
+    LOAD $f5, $11, 2            #: ray
+    LOAD $f6, $11, 3            #: ray
+    LOAD $f7, $11, 4            #: ray
+    LOAD $f8, $11, 5            #: ray
+    LOAD $f9, $11, 6            #: ray
+    div.s $f10, $f0, $f7
+    div.s $f11, $f0, $f8
+    div.s $f12, $f0, $f9
+    LOAD $f4, $11, 7            #: ray
+    addiu $11, $zero, 0
+$BB0_4:
+    sll $1, $11, 2
+    addu $13, $8, $1
+    addu $12, $9, $1
+$BB0_5:                         #: node
+    sll $1, $14, 3
+    addu $14, $1, $2
+    LOAD $15, $14, 6            #: node
+    LOAD $14, $14, 7            #: node
+    bgez $15, $BB0_12           #: leaf
+    nop
+    sll $1, $14, 3
+    addu $15, $1, $2
+    LOAD $f13, $15, 0           #: children
+    LOAD $f14, $15, 1           #: children
+    LOAD $f15, $15, 2           #: children
+    LOAD $f16, $15, 3           #: children
+    LOAD $f17, $15, 4           #: children
+    LOAD $f18, $15, 5           #: children
+    sub.s $f13, $f13, $f2
+    sub.s $f14, $f14, $f3
+    sub.s $f16, $f16, $f2
+    sub.s $f17, $f17, $f3
+    addiu $15, $15, 8
+    LOAD $f19, $15, 0           #: children+8
+    LOAD $f20, $15, 1           #: children+8
+    LOAD $f21, $15, 2           #: children+8
+    LOAD $f22, $15, 3           #: children+8
+    LOAD $f23, $15, 4           #: children+8
+    sub.s $f15, $f15, $f5
+    sub.s $f18, $f18, $f5
+    LOAD $f24, $15, 5           #: children+8
+    sub.s $f20, $f20, $f3
+    sub.s $f23, $f23, $f3
+    sub.s $f19, $f19, $f2
+    sub.s $f22, $f22, $f2
+    sub.s $f21, $f21, $f5
+    sub.s $f24, $f24, $f5
+    mul.s $f14, $f11, $f14
+    mul.s $f13, $f10, $f13
+    mul.s $f16, $f10, $f16
+    FPMIN $f27, $f13, $f16
+    mul.s $f17, $f11, $f17
+    FPMIN $f28, $f14, $f17
+    mul.s $f15, $f12, $f15
+    mul.s $f18, $f12, $f18
+    FPMAX $f13, $f13, $f16
+    FPMAX $f14, $f14, $f17
+    mul.s $f20, $f11, $f20
+    mul.s $f23, $f11, $f23
+    mul.s $f19, $f10, $f19
+    mul.s $f22, $f10, $f22
+    FPMAX $f25, $f19, $f22
+    FPMAX $f26, $f20, $f23
+    FPMAX $f27, $f27, $f28
+    FPMIN $f17, $f20, $f23
+    mul.s $f21, $f12, $f21
+    mul.s $f24, $f12, $f24
+    FPMAX $f28, $f21, $f24
+    FPMIN $f13, $f13, $f14
+    FPMAX $f14, $f15, $f18
+    FPMIN $f25, $f25, $f26
+    FPMIN $f26, $f15, $f18
+    FPMIN $f13, $f13, $f14
+    FPMIN $f14, $f19, $f22
+    FPMAX $f26, $f27, $f26
+    FPMIN $f16, $f13, $f4
+    FPMIN $f25, $f25, $f28
+    FPMIN $f15, $f25, $f4
+    FPMAX $f13, $f26, $f1
+    FPMAX $f14, $f14, $f17
+    c.ole.s $f13, $f16
+    FPMIN $f17, $f21, $f24
+    FPMAX $f14, $f14, $f17
+    FPMAX $f14, $f14, $f1
+    bc1f $BB0_8                 #: !hit_left
+    nop
+    c.ole.s $f14, $f15
+    bc1t $BB0_11                #: hit_right
+    nop
+$BB0_8:
+    c.ole.s $f13, $f16
+    bc1t $BB0_5                 #: hit_left
+    nop
+    c.ole.s $f14, $f15
+    bc1f $BB0_14                #: !hit_right
+    nop
+    j $BB0_5
+    addiu $14, $14, 1
+$BB0_11:
+    mov.s $f15, $f14
+    addiu $1, $14, 1
+    c.olt.s $f14, $f13
+    sll $24, $11, 2
+    addiu $13, $13, 4
+    addiu $12, $12, 4
+    addiu $11, $11, 1
+    move $15, $1
+    addu $25, $9, $24
+    addu $24, $7, $24
+    movt $15, $14, $fcc0
+    movt.s $f15, $f13, $fcc0
+    c.olt.s $f14, $f13
+    sw $15, 0($25)
+    movt $14, $1, $fcc0
+    j $BB0_5
+    swc1 $f15, 0($24)
+$BB0_12:
+    bnez $15, $BB0_18           #: always
+    nop
+$BB0_13:
+    bgez $10, $BB0_2            #: found
+    nop
+$BB0_14:                        #: pop
+    blez $11, $BB0_2            #: empty
+    nop
+    lwc1 $f13, 0($13)
+    addiu $1, $13, -4
+    addiu $11, $11, -1
+    addiu $12, $12, -4
+    c.olt.s $f13, $f4
+    bc1f $BB0_14                #: beyond
+    move $13, $1
+    lw $14, 0($12)
+    j $BB0_4
+    nop
+$BB0_17:
+    addiu $15, $15, -1
+    beqz $15, $BB0_13           #: last
+    addiu $14, $14, 11
+$BB0_18:                        #: triangle
+    LOAD $f17, $14, 0           #: triangle
+    LOAD $f19, $14, 1           #: triangle
+    LOAD $f21, $14, 2           #: triangle
+    LOAD $f13, $14, 3           #: triangle
+    LOAD $f15, $14, 4           #: triangle
+    LOAD $f14, $14, 5           #: triangle
+    LOAD $f20, $14, 6           #: triangle
+    LOAD $f22, $14, 7           #: triangle
+    LOAD $f24, $14, 8           #: triangle
+    sub.s $f14, $f14, $f24
+    sub.s $f13, $f13, $f20
+    sub.s $f15, $f15, $f22
+    sub.s $f19, $f19, $f22
+    mul.s $f16, $f9, $f13
+    mul.s $f18, $f7, $f14
+    mul.s $f25, $f8, $f14
+    sub.s $f23, $f16, $f18
+    mul.s $f18, $f9, $f15
+    sub.s $f16, $f3, $f22
+    sub.s $f25, $f25, $f18
+    sub.s $f18, $f2, $f20
+    sub.s $f20, $f17, $f20
+    mul.s $f26, $f16, $f23
+    mul.s $f22, $f19, $f23
+    mul.s $f23, $f8, $f13
+    mul.s $f17, $f20, $f25
+    mul.s $f27, $f18, $f25
+    mul.s $f25, $f7, $f15
+    sub.s $f25, $f25, $f23
+    sub.s $f23, $f21, $f24
+    add.s $f17, $f17, $f22
+    sub.s $f24, $f5, $f24
+    add.s $f22, $f27, $f26
+    mul.s $f21, $f23, $f25
+    mul.s $f25, $f24, $f25
+    add.s $f17, $f21, $f17
+    add.s $f22, $f25, $f22
+    div.s $f17, $f0, $f17
+    mul.s $f21, $f22, $f17
+    c.olt.s $f21, $f1
+    bc1t $BB0_17                #: u_below
+    nop
+    c.ule.s $f21, $f0
+    bc1f $BB0_17                #: u_above
+    nop
+    mul.s $f22, $f18, $f23
+    mul.s $f25, $f20, $f24
+    mul.s $f23, $f16, $f23
+    mul.s $f24, $f19, $f24
+    mul.s $f16, $f20, $f16
+    mul.s $f18, $f18, $f19
+    sub.s $f22, $f25, $f22
+    sub.s $f23, $f23, $f24
+    sub.s $f16, $f18, $f16
+    mul.s $f25, $f8, $f22
+    mul.s $f24, $f7, $f23
+    mul.s $f18, $f9, $f16
+    add.s $f24, $f24, $f25
+    add.s $f18, $f18, $f24
+    mul.s $f18, $f18, $f17
+    c.olt.s $f18, $f1
+    bc1t $BB0_17                #: v_below
+    nop
+    add.s $f18, $f21, $f18
+    c.ule.s $f18, $f0
+    bc1f $BB0_17                #: v_above
+    nop
+    mul.s $f15, $f15, $f22
+    mul.s $f13, $f13, $f23
+    mul.s $f14, $f14, $f16
+    addiu $1, $zero, 1
+    addiu $24, $zero, 1
+    add.s $f13, $f13, $f15
+    add.s $f13, $f14, $f13
+    mul.s $f13, $f13, $f17
+    c.olt.s $f13, $f4
+    movf $1, $zero, $fcc0
+    c.ule.s $f13, $f6
+    movt $24, $zero, $fcc0
+    and $1, $24, $1
+    movn.s $f4, $f13, $1
+    j $BB0_17
+    movn $10, $14, $1
+$BB0_23:
+    ldc1 $f20, 512($sp)
+    ldc1 $f22, 520($sp)
+    ldc1 $f24, 528($sp)
+    ldc1 $f26, 536($sp)
+    ldc1 $f28, 544($sp)
+    addiu $2, $zero, 0
+    jr $ra
+    addiu $sp, $sp, 552

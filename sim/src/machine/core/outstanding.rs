@@ -1,0 +1,88 @@
+//! Lines on their way to a first-level cache, and who waits for them.
+
+/// When a line arrives whose time is not known yet.
+pub const UNKNOWN: u32 = u32::MAX;
+
+/// A register of a thread that waits for a line.
+#[derive(Clone, Copy, Debug)]
+pub struct Waiter {
+    /// The thread.
+    pub thread: u8,
+    /// The register.
+    pub register: u8,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    line: u32,
+    /// Cycle in which the line arrives, or [`UNKNOWN`].
+    arrival: u32,
+    /// First of a chain in `waiters`, or [`NONE`].
+    first: u32,
+}
+
+const NONE: u32 = u32::MAX;
+
+/// Lines under way.
+#[derive(Clone, Debug, Default)]
+pub struct Outstanding {
+    entries: Vec<Entry>,
+    waiters: Vec<(Waiter, u32)>,
+    free: Vec<u32>,
+}
+
+impl Outstanding {
+    /// When `line` arrives, if it is under way.
+    #[inline]
+    pub fn arrival(&self, line: u32) -> Option<u32> {
+        self.entries.iter().find(|entry| entry.line == line).map(|entry| entry.arrival)
+    }
+
+    /// Notes that `line` is under way, in the place of what is known about it.
+    #[inline]
+    pub fn insert(&mut self, line: u32, arrival: u32) {
+        self.remove(line);
+        self.entries.push(Entry { line, arrival, first: NONE });
+    }
+
+    /// Makes `waiter` wait for `line`, whose arrival is [`UNKNOWN`].
+    pub fn wait(&mut self, line: u32, waiter: Waiter) {
+        let entry = self.entries.iter_mut().find(|entry| entry.line == line).expect("the line is under way");
+        let slot = match self.free.pop() {
+            Some(slot) => {
+                self.waiters[slot as usize] = (waiter, entry.first);
+                slot
+            }
+            None => {
+                self.waiters.push((waiter, entry.first));
+                self.waiters.len() as u32 - 1
+            }
+        };
+        entry.first = slot;
+    }
+
+    /// It is known now that `line` arrives in cycle `arrival`; passes everyone who waits for it. False if nobody has asked.
+    #[inline]
+    pub fn arrives(&mut self, line: u32, arrival: u32, mut wake: impl FnMut(Waiter)) -> bool {
+        let Some(entry) = self.entries.iter_mut().find(|entry| entry.line == line) else {
+            return false;
+        };
+        entry.arrival = arrival;
+        let mut slot = std::mem::replace(&mut entry.first, NONE);
+        while slot != NONE {
+            let (waiter, next) = self.waiters[slot as usize];
+            wake(waiter);
+            self.free.push(slot);
+            slot = next;
+        }
+        true
+    }
+
+    /// Removes `line`, which has arrived.
+    #[inline]
+    pub fn remove(&mut self, line: u32) {
+        if let Some(at) = self.entries.iter().position(|entry| entry.line == line) {
+            self.entries.swap_remove(at);
+        }
+    }
+}

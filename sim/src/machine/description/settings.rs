@@ -1,0 +1,52 @@
+//! Reading a description, with single keys replaced by `--set`.
+
+use super::{DescriptionError, MachineDescription};
+use toml::{Table, Value};
+
+/// The description in `text` from `source` with `settings` applied.
+pub(super) fn parse(
+    source: &str,
+    text: &str,
+    settings: &[String],
+) -> Result<MachineDescription, DescriptionError> {
+    let invalid = |error: toml::de::Error| DescriptionError::Parse {
+        file: source.to_owned(),
+        message: error.to_string().trim_end().to_owned(),
+    };
+    // Before the settings, for messages that quote the line of the file.
+    let machine: MachineDescription = toml::from_str(text).map_err(invalid)?;
+    if settings.is_empty() {
+        return Ok(machine);
+    }
+    let mut table: Table = toml::from_str(text).map_err(invalid)?;
+    for setting in settings {
+        apply(&mut table, setting)?;
+        let refused = |error: toml::de::Error| DescriptionError::Setting {
+            setting: setting.clone(),
+            message: error.message().to_owned(),
+        };
+        table.clone().try_into::<MachineDescription>().map_err(refused)?;
+    }
+    table.try_into().map_err(invalid)
+}
+
+fn apply(table: &mut Table, setting: &str) -> Result<(), DescriptionError> {
+    let refused = |message: String| DescriptionError::Setting { setting: setting.to_owned(), message };
+    let (path, value) = setting
+        .split_once('=')
+        .ok_or_else(|| refused("write KEY=VALUE, such as l1.size=64KiB".to_owned()))?;
+    let (path, value) = (path.trim(), value.trim());
+    let mut keys: Vec<&str> = path.split('.').collect();
+    let last = keys.pop().unwrap_or_default();
+    let mut at = table;
+    for key in keys {
+        at = match at.get_mut(key) {
+            Some(Value::Table(table)) => table,
+            _ => return Err(refused(format!("there is no section `{key}`"))),
+        };
+    }
+    // A bare word is a string.
+    let parsed = format!("x = {value}").parse::<Table>().ok().and_then(|mut table| table.remove("x"));
+    at.insert(last.to_owned(), parsed.unwrap_or_else(|| Value::String(value.to_owned())));
+    Ok(())
+}
