@@ -37,9 +37,13 @@ fn chart_precision() {
     }
     let naive = points.iter().filter(|p| p["variant"] == "naive");
     assert!(naive.map(|p| p["false_misses"].as_u64().unwrap()).sum::<u64>() > 0);
+    let area = |format: &str| points.iter().find(|p| p["format"] == format).unwrap()["area_um2"].as_f64();
+    assert!(
+        area("binary32") > area("tf32") && area("tf32") > area("bfloat16") && area("bfloat16") > area("e4m3")
+    );
     let csv = String::from_utf8(work.read("charts/precision.csv")).unwrap();
     assert_eq!(csv.lines().count(), 1 + points.len());
-    for chart in ["visits", "wrong-rays", "image-error", "front"] {
+    for chart in ["visits", "wrong-rays", "image-error", "energy", "front"] {
         let svg = String::from_utf8(work.read(&format!("charts/{chart}.svg"))).unwrap();
         assert!(svg.contains("conservative, 8 exponent bits"), "{svg}");
     }

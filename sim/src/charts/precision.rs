@@ -4,7 +4,6 @@
 //! the same rays everywhere; the image error is that of the picture that the format renders by itself.
 
 use super::pareto;
-use crate::gates::blast::{Options, blast};
 use crate::picture::Picture;
 use crate::picture::difference::Difference;
 use golden::Ray;
@@ -17,8 +16,6 @@ use golden::render::{RayClass, RenderError, RenderOptions, Rendering, render};
 use golden::structure::{Structure, StructureKind};
 use golden::traverse::{Counters, Trace};
 use golden::triangle::Triangle;
-use hdl::catalogue::{StandardFormat, Top};
-use hdl::netlist::{ElaborateError, flatten};
 use rayon::prelude::*;
 use scenes::Scene;
 use serde::Serialize;
@@ -98,8 +95,10 @@ pub struct PrecisionPoint {
     pub rmse: f64,
     /// Pixels with any difference.
     pub differing_pixels: u64,
-    /// Two-input gates of the dual-split pipeline's netlist ([`gates`]); without the second origin.
-    pub gates: Option<u64>,
+    /// Area of the dual-split pipeline in square micrometres, where modules of the format exist; see [`super::cost`].
+    pub area_um2: Option<f64>,
+    /// Energy of all node visits per ray in the pipeline, in picojoules.
+    pub energy_pj_per_ray: Option<f64>,
     /// Whether no other point has at most as many bits, visits, false misses and error, and less of one.
     pub pareto: bool,
 }
@@ -151,6 +150,13 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn rays(&self) -> u64 {
         self.rays.len() as u64
+    }
+
+    /// The rays of nearest hits, prepared in `mode`.
+    #[must_use]
+    pub fn closest_rays(&self, mode: golden::Mode) -> Vec<TraversalRay> {
+        let closest = self.rays.iter().filter(|(_, answer)| matches!(answer, Answer::Nearest(_)));
+        closest.filter_map(|(ray, _)| TraversalRay::new(ray, mode)).collect()
     }
 
     /// Calls `visit` with every ray in the reference's order, and whether only occlusion is asked for.
@@ -226,7 +232,8 @@ impl<'a> Sweep<'a> {
             other_distance,
             rmse: difference.rmse,
             differing_pixels: difference.differing_pixels,
-            gates: None,
+            area_um2: None,
+            energy_pj_per_ray: None,
             pareto: false,
         })
     }
@@ -247,21 +254,6 @@ fn trace(structure: &impl Trace, ray: &Ray, occlusion: bool, mode: golden::Mode)
 fn colours(rendering: &Rendering) -> Picture<f32> {
     let pixels = rendering.pixels.iter().map(|pixel| pixel.rgb).collect();
     Picture { width: rendering.width, height: rendering.height, pixels }
-}
-
-/// Two-input gates of the dual-split pipeline in `format`, if modules of that format exist.
-///
-/// # Errors
-/// When the pipeline does not elaborate, which none of the catalogue does.
-pub fn gates(format: Format) -> Result<Option<u64>, ElaborateError> {
-    let Some(standard) = StandardFormat::ALL.iter().find(|standard| standard.format() == format) else {
-        return Ok(None);
-    };
-    let design = Top::DualSplit.design(*standard)?;
-    let blasted = blast(&design, &flatten(&design)?, Options::default());
-    let live = blasted.aig.live();
-    let is_gate = |&node: &usize| live[node] && blasted.aig.operands(node).is_some();
-    Ok(Some((0..live.len()).filter(is_gate).count() as u64))
 }
 
 /// Marks the points that no other is better than in bits, visits, false misses and error together.

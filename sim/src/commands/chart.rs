@@ -6,8 +6,10 @@ use crate::console::{Report, fixed, progress, table};
 use crate::input::{self, Built, display};
 use golden::precision::{Precision, Variant};
 use golden::render::RenderOptions;
+use golden::structure::{Structure, StructureKind};
 use serde::Serialize;
-use sim::charts::precision::{PrecisionPoint, Sweep, formats, gates, mark_front};
+use sim::charts::cost::format_cost;
+use sim::charts::precision::{PrecisionPoint, Sweep, formats, mark_front};
 use sim::plot::{Axis, Chart, Point, Series, Style};
 
 #[derive(Serialize)]
@@ -22,6 +24,8 @@ struct Document {
     /// Of binary32 in robust mode.
     reference_node_visits: u64,
     points: Vec<PrecisionPoint>,
+    /// Where area and energy come from.
+    cost_source: Option<String>,
     artifacts: Vec<String>,
 }
 
@@ -41,13 +45,25 @@ fn precision(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
     let sweep = Sweep::new(&scene, &built.tree, &built.triangles, args.structure, options)?;
     let formats = formats();
     let bar = progress(formats.len() as u64, "formats");
-    let mut points = vec![];
+    let (mut points, mut cost_source) = (vec![], None);
+    // The pipeline is that of dual-split trees, whatever is traversed.
+    let (dst, _) = built.convert(StructureKind::Dst)?;
+    let rays = sweep.closest_rays(Variant::Naive.mode());
     for format in formats {
         bar.set_message(format.to_string());
-        let gates = gates(format)?;
+        let cost = match &dst {
+            Structure::Dst(dst) => format_cost(format, dst, &rays)?,
+            _ => None,
+        };
         for variant in Variant::ALL {
-            points.push(PrecisionPoint { gates, ..sweep.point(Precision::new(format, variant))? });
+            let point = sweep.point(Precision::new(format, variant))?;
+            points.push(PrecisionPoint {
+                area_um2: cost.as_ref().map(|cost| cost.area_um2),
+                energy_pj_per_ray: cost.as_ref().map(|cost| cost.energy_pj * point.node_visits_per_ray),
+                ..point
+            });
         }
+        cost_source = cost_source.or(cost.map(|cost| cost.source));
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -67,6 +83,7 @@ fn precision(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
         rays: sweep.rays(),
         reference_node_visits: sweep.reference_counters.node_visits,
         points,
+        cost_source,
         artifacts: artifacts.finish()?.iter().map(|path| display(path)).collect(),
     };
     let text = text(&document);
@@ -137,6 +154,15 @@ fn charts(scene: &str, sweep: &Sweep<'_>, points: &[PrecisionPoint]) -> Vec<(&'s
             ),
         ),
         (
+            "energy",
+            chart(
+                "energy of node steps against image error (none: at the left)",
+                Axis::log("RMSE of linear radiance, at least 1e-9"),
+                Axis::log("pJ per ray"),
+                series(|p| p.rmse.max(1e-9), &|p| p.energy_pj_per_ray.unwrap_or(f64::NAN)),
+            ),
+        ),
+        (
             "front",
             chart(
                 "width against visits, Pareto front ringed",
@@ -173,7 +199,8 @@ fn text(document: &Document) -> String {
         "other distance",
         "RMSE",
         "differing pixels",
-        "gates",
+        "area um2",
+        "pJ/ray",
         "front",
     ];
     text += &table(
@@ -191,11 +218,15 @@ fn text(document: &Document) -> String {
                 p.other_distance.to_string(),
                 format!("{:.3e}", p.rmse),
                 p.differing_pixels.to_string(),
-                p.gates.map(|gates| gates.to_string()).unwrap_or_default(),
+                p.area_um2.map(|area| fixed(area, 0)).unwrap_or_default(),
+                p.energy_pj_per_ray.map(|energy| fixed(energy, 1)).unwrap_or_default(),
                 if p.pareto { "*" } else { "" }.to_owned(),
             ]
         }),
     );
     text += "\nFront: no other has at most as many bits, visits, false misses and RMSE, and less of one.\n";
+    if let Some(source) = &d.cost_source {
+        text += &format!("Area, and energy of a ray's node steps, of the dual-split pipeline: {source}.\n");
+    }
     text
 }

@@ -40,18 +40,7 @@ impl<'n> Hardware<'n> {
         t_min: f32,
         t_max: f32,
     ) -> Step {
-        // All are numbers of the format already: no rounding takes place.
-        let bits = |x: f32| arithmetic.from_f32(x, Rounding::NearestEven);
-        let ray = RayWords {
-            origin: ray.origin_entry.map(bits),
-            inv_entry: ray.inv_entry.map(bits),
-            inv_exit: ray.inv_exit.map(bits),
-            t_min: bits(t_min),
-            t_max: bits(t_max),
-        };
-        let plane = |word: u32| bits(f32::from_bits(word));
-        let words = [words[0], plane(words[1]), plane(words[2])];
-        self.run(&NodeCase { words, ray }, |bits| arithmetic.to_f32(bits))
+        self.run(&narrow_case(arithmetic, words, ray, t_min, t_max), |bits| arithmetic.to_f32(bits))
     }
 
     fn run(&mut self, case: &NodeCase, number: impl Fn(u32) -> f32) -> Step {
@@ -72,4 +61,27 @@ impl<'n> Hardware<'n> {
         let code = [Code::Miss, Code::One, Code::Two, Code::Leaf][output("code_o") as usize];
         Step { code, near: slot("near"), far: slot("far") }
     }
+}
+
+/// The pipeline's inputs for a step in the format of `arithmetic`; the ray has one value for its origin and reciprocals, as
+/// the naive variant's.
+#[must_use]
+pub fn narrow_case(
+    arithmetic: Arithmetic,
+    words: [u32; 3],
+    ray: &NarrowRay,
+    t_min: f32,
+    t_max: f32,
+) -> NodeCase {
+    // All are numbers of the format already: no rounding takes place.
+    let bits = |x: f32| arithmetic.from_f32(x, Rounding::NearestEven);
+    let ray = RayWords {
+        origin: ray.origin_entry.map(bits),
+        inv_entry: ray.inv_entry.map(bits),
+        inv_exit: ray.inv_exit.map(bits),
+        t_min: bits(t_min),
+        t_max: bits(t_max),
+    };
+    let plane = |word: u32| bits(f32::from_bits(word));
+    NodeCase { words: [words[0], plane(words[1]), plane(words[2])], ray }
 }

@@ -29,7 +29,7 @@ mod search;
 mod slice;
 
 pub use bench::{Bench, Cell, aimed_cells};
-pub use hardware::Hardware;
+pub use hardware::{Hardware, narrow_case};
 pub use method::{Arithmetic, Instance, Method, MethodError, Structures};
 pub use search::{Found, search};
 pub use slice::{Slice, slice};
