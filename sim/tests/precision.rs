@@ -23,7 +23,8 @@ fn chart_precision() {
                 "rmse",
                 "differing_pixels",
                 "pareto",
-                "gates",
+                "area_um2",
+                "energy_pj_per_ray",
             ],
         );
         if point["variant"] == "conservative" {
@@ -112,5 +113,5 @@ fn needs() {
     let sweep = naive["significand_sweep"].as_array().unwrap();
     let chosen = sweep.iter().find(|p| p["significand_bits"] == naive["significand_bits"]).unwrap();
     assert_eq!((&chosen["false_misses"], &chosen["rmse"]), (&0.into(), &0.0.into()));
-    work.refused("needs scene.obj --max-image-error -1", &["--max-image-error", "not negative"]);
+    work.refused("needs scene.obj --max-image-error=-1", &["--max-image-error", "not negative"]);
 }
