@@ -279,6 +279,10 @@ pub struct CheckArgs {
     /// Cycles to run through each, stalls and bubbles included.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
+    /// Prove instead, for all inputs and states: units and control against independent references, and the exported
+    /// Verilog, read back by yosys if that is installed, against the simulated graph.
+    #[arg(long)]
+    pub prove: bool,
 }
 
 #[derive(Args, Debug)]

@@ -7,6 +7,7 @@ mod estimate;
 mod explain;
 mod export;
 mod needs;
+mod prove;
 mod render;
 mod reproduce;
 mod scenes;
@@ -35,6 +36,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Render(args)) => render::run(args, global),
         Some(Command::Compare(args)) => compare::run(args, global),
         Some(Command::Explain(args)) => explain::run(args, global),
+        Some(Command::Check(args)) if args.prove => prove::run(args, global),
         Some(Command::Check(args)) => check::run(args, global),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),

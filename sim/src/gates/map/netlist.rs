@@ -115,6 +115,7 @@ pub fn build(aig: &Aig, library: &Library, cover: &Cover) -> Result<Mapped, MapE
             *enables.entry(found.enable.code()).or_default() += 1;
         }
     }
+    own_inverters(aig, &mut mapped);
     mapped.clock_gating = (enables.into_iter())
         .map(|(enable, registers)| ClockGating {
             enable,
@@ -123,6 +124,23 @@ pub fn build(aig: &Aig, library: &Library, cover: &Cover) -> Result<Mapped, MapE
         })
         .collect();
     Ok(mapped)
+}
+
+/// An inverter behind an input or a register belongs to the region that reads it, if that is one.
+fn own_inverters(aig: &Aig, mapped: &mut Mapped) {
+    let readers = mapped.readers();
+    for position in 0..mapped.gates.len() {
+        let Gate { output, .. } = mapped.gates[position];
+        if aig.operands(Lit::from_code(output).node()).is_some() {
+            continue;
+        }
+        let mut origins = readers[output as usize].iter().map(|&reader| mapped.gates[reader as usize].origin);
+        if let Some(first) = origins.next()
+            && origins.all(|origin| origin.region == first.region)
+        {
+            mapped.gates[position].origin = first;
+        }
+    }
 }
 
 impl Mapped {

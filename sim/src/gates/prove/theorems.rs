@@ -6,6 +6,7 @@ use golden::dst::header;
 use golden::fp::Format;
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::netlist::{Design, ElaborateError, flatten};
+use rayon::prelude::*;
 
 use super::combinational::{CombinationalError, combinational};
 use super::miter::copy;
@@ -61,31 +62,29 @@ impl Theorem {
         Self { aig, pairs, names: self.names.clone(), cases: Vec::new() }
     }
 
-    /// Proves it case by case, or finds where it does not hold.
+    /// Proves it case by case on all threads, or finds where it does not hold; `case_done` is told of each case.
     #[must_use]
-    pub fn prove(&self, limits: Limits) -> Proof {
+    pub fn prove(&self, limits: Limits, case_done: impl Fn() + Sync) -> Proof {
         if self.cases.is_empty() {
             return prove(&self.aig, &self.pairs, limits);
         }
-        let mut total: Option<Proof> = None;
-        for values in &self.cases {
-            let proof = self.case(values).prove(limits);
-            let done = proof.verdict != Verdict::Equal;
-            total = Some(match total {
-                None => proof,
-                Some(total) => Proof {
-                    verdict: proof.verdict,
-                    nodes: total.nodes + proof.nodes,
-                    merged: total.merged + proof.merged,
-                    queries: total.queries + proof.queries,
-                    conflicts: total.conflicts + proof.conflicts,
-                },
-            });
-            if done {
-                break;
-            }
+        let proofs: Vec<Proof> = (self.cases.par_iter())
+            .map(|values| {
+                let case = self.case(values);
+                let proof = prove(&case.aig, &case.pairs, limits);
+                case_done();
+                proof
+            })
+            .collect();
+        let sum = |number: fn(&Proof) -> u64| proofs.iter().map(number).sum();
+        let open = proofs.iter().find(|proof| proof.verdict != Verdict::Equal);
+        Proof {
+            verdict: open.map_or(Verdict::Equal, |proof| proof.verdict.clone()),
+            nodes: proofs.iter().map(|proof| proof.nodes).sum(),
+            merged: proofs.iter().map(|proof| proof.merged).sum(),
+            queries: sum(|proof| proof.queries),
+            conflicts: sum(|proof| proof.conflicts),
         }
-        total.expect("there are cases")
     }
 
     /// `top` in `format` as a function of its inputs, against its reference; adders and multipliers of a pipeline are

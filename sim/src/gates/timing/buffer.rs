@@ -82,7 +82,7 @@ fn redirect(mapped: &mut Mapped, ranks: &mut [Gate], reader: Reader, net: u32) {
     }
 }
 
-/// Buffers behind an input or a register belong to what reads it, if that is one part, or else to its own part.
+/// Buffers behind an input or a register belong to the region that reads it, if that is one, or else to its own.
 fn shared_origin(mapped: &Mapped, aig: &Aig, node: usize, readers: &[Reader]) -> Origin {
     let mut origins = readers.iter().map(|reader| match *reader {
         Reader::Gate(position, _) => mapped.gates[position].origin,
@@ -90,5 +90,5 @@ fn shared_origin(mapped: &Mapped, aig: &Aig, node: usize, readers: &[Reader]) ->
     });
     let own = aig.origin_of(node);
     let first = origins.next().unwrap_or(own);
-    if origins.all(|origin| origin == first) { first } else { own }
+    if origins.all(|origin| origin.region == first.region) { first } else { own }
 }
