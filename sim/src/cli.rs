@@ -4,10 +4,13 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use golden::Mode;
 use golden::build::Quality;
+use golden::precision::Variant;
 use golden::render::Test;
 use golden::structure::StructureKind;
 use hdl::catalogue::{StandardFormat, Top};
+use sim::machine::frame::MachineStructure;
 use sim::picture::heatmap::Quantity;
+use sim::stress::Method;
 use std::path::PathBuf;
 
 /// Dual-split trees against bounding volume hierarchies: build, trace, render, compare.
@@ -59,8 +62,17 @@ pub enum Command {
     Export(ExportArgs),
     /// Write a waveform of rays in the hardware.
     Wave(WaveArgs),
+    /// Chart a cost against an error, over formats of the hardware.
+    Chart(ChartArgs),
+    /// Run every structure and arithmetic against exact answers on inputs made to break them; exit code 1 if a method
+    /// that must lose no hit loses one.
+    Stress(StressArgs),
+    /// Find the least hardware that a scene needs at an error budget, and write it as TOML with a chart of each knee.
+    Needs(NeedsArgs),
     /// Estimate area, energy and clock of the pipelines, beside the published figures.
     Estimate(EstimateArgs),
+    /// Time a frame on a many-core machine, or the public simulator's reference runs.
+    Simulate(SimulateArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -318,6 +330,89 @@ pub struct WaveArgs {
 }
 
 #[derive(Args, Debug)]
+pub struct ChartArgs {
+    #[command(subcommand)]
+    pub chart: ChartKind,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum ChartKind {
+    /// Visits, lost hits and image error in every format, rounded naively and conservatively: CSV and SVG.
+    Precision(PrecisionArgs),
+}
+
+#[derive(Args, Debug)]
+pub struct PrecisionArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The structure that rays are traced through.
+    #[arg(long, default_value = "dst", value_parser = structure())]
+    pub structure: StructureKind,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "64x64", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    /// The folder to write; one that this command made before is written anew [default: precision-SCENE].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct StressArgs {
+    /// Rays of each of the known cases, at most; netlists get a fiftieth.
+    #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub rays: u64,
+    /// Rays that are aimed at corners, edges and faces of four meshes; netlists get 16 of each 16,384.
+    #[arg(long, default_value_t = 20_000, value_name = "N")]
+    pub aimed: u64,
+    /// Rays per method and mesh that a search walks towards the worst.
+    #[arg(long, default_value_t = 8, value_name = "N")]
+    pub searches: u64,
+    /// Only this method, such as dst/binary32-robust, bvh2/bfloat16-naive, rtl/binary32-fast; may be repeated.
+    #[arg(long, value_name = "METHOD")]
+    pub method: Vec<Method>,
+    /// Draw the rays around a failure of each kind.
+    #[arg(long, default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
+    pub pictures: bool,
+    /// The folder to write; one that this command made before is written anew.
+    #[arg(long, default_value = "stress", value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
+pub struct NeedsArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    /// conservative: never loses a hit, may visit more; naive: everything rounded to nearest.
+    #[arg(long, default_value = "conservative", value_parser = one_of(Variant::ALL, Variant::name))]
+    pub variant: Variant,
+    /// Greatest root mean square error of linear radiance against binary32.
+    #[arg(long, default_value_t = 0.0, value_name = "RMSE", value_parser = not_negative)]
+    pub max_image_error: f64,
+    /// Greatest number of rays that hit nothing and should.
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    pub max_false_miss: u64,
+    /// Node visits beyond those of binary32, as a fraction of them.
+    #[arg(long, default_value_t = 0.05, value_name = "FRACTION", value_parser = not_negative)]
+    pub max_extra_visits: f64,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "48x48", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    /// The folder to write; one that this command made before is written anew [default: needs-SCENE].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
 pub struct EstimateArgs {
     /// Standard cells to map to: a liberty file, which may be gzip-compressed; several if a library has several
     /// [default: an embedded table].
@@ -336,6 +431,50 @@ pub struct EstimateArgs {
     /// A folder for the report as text, CSV, JSON and HTML; one that this command made before is written anew.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct MachineArgs {
+    /// The machine: a preset (trax or simtrax-reference) or a TOML file.
+    #[arg(long, default_value = "trax", value_name = "MACHINE")]
+    pub machine: String,
+    /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub settings: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+#[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config"])))]
+pub struct SimulateArgs {
+    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    pub scene: Option<String>,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    /// The structure, with its program and its pipeline: dst-sw decodes in software, + is parallel pipelines.
+    #[arg(long, default_value = "dst", value_parser = machine_structure())]
+    pub structure: MachineStructure,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "128x128", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// Also write the results as CSV: quantity, value, unit, meaning.
+    #[arg(long, value_name = "FILE", requires = "scene")]
+    pub csv: Option<PathBuf>,
+    /// Make the reference runs of a folder, with the preset simtrax-reference, and compare; exit code 1 if a quantity is
+    /// not within its tolerance.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
+    pub validate: Option<PathBuf>,
+    /// Print the machine as a TOML file.
+    #[arg(long)]
+    pub dump_config: bool,
 }
 
 #[derive(Args, Debug)]
@@ -383,6 +522,10 @@ fn row() -> impl TypedValueParser<Value = TreeRow> {
     one_of(TreeRow::ALL, TreeRow::name)
 }
 
+fn machine_structure() -> impl TypedValueParser<Value = MachineStructure> {
+    one_of(MachineStructure::ALL, MachineStructure::name)
+}
+
 fn test() -> impl TypedValueParser<Value = Test> {
     one_of(Test::ALL, Test::name)
 }
@@ -405,6 +548,13 @@ pub fn quality_name(quality: Quality) -> &'static str {
         Quality::Fast => "fast",
         Quality::Medium => "medium",
         Quality::High => "high",
+    }
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x >= 0.0 && x.is_finite() => Ok(x),
+        _ => Err("write a number that is not negative, such as 0.05".to_owned()),
     }
 }
 

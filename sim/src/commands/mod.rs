@@ -1,14 +1,18 @@
 //! One file for each command.
 
+mod chart;
 mod check;
 mod compare;
 mod estimate;
 mod explain;
 mod export;
+mod needs;
 mod prove;
 mod render;
 mod reproduce;
 mod scenes;
+mod simulate;
+mod stress;
 mod trace;
 mod tree;
 mod wave;
@@ -37,7 +41,11 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Check(args)) => check::run(args, global),
         Some(Command::Export(args)) => export::run(args, global),
         Some(Command::Wave(args)) => wave::run(args, global),
+        Some(Command::Chart(args)) => chart::run(args, global),
+        Some(Command::Stress(args)) => stress::run(args, global),
+        Some(Command::Needs(args)) => needs::run(args, global),
         Some(Command::Estimate(args)) => estimate::run(args, global),
+        Some(Command::Simulate(args)) => simulate::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

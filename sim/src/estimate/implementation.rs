@@ -85,10 +85,23 @@ impl<'l> Implementation<'l> {
     /// # Errors
     /// [`EstimateError`] for tops that are no pipeline, or when the library lacks a cell.
     pub fn new(top: Top, library: &'l Library, structures: Structures) -> Result<Self, EstimateError> {
+        Self::in_format(top, StandardFormat::Binary32, library, structures)
+    }
+
+    /// As [`Implementation::new`], in any format that modules exist for.
+    ///
+    /// # Errors
+    /// [`EstimateError`] for tops that are no pipeline, or when the library lacks a cell.
+    pub fn in_format(
+        top: Top,
+        format: StandardFormat,
+        library: &'l Library,
+        structures: Structures,
+    ) -> Result<Self, EstimateError> {
         if !matches!(top, Top::DualSplit | Top::DualSplitLean | Top::RayBox | Top::RayBoxLean) {
             return Err(EstimateError::NoPipeline(top));
         }
-        let design = top.design(StandardFormat::Binary32)?;
+        let design = top.design(format)?;
         let flat = flatten(&design)?;
         let options = Options { structures, keep_units: true, ..Options::default() };
         let mut blasted = blast(&design, &flat, options);
