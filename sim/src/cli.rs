@@ -360,10 +360,10 @@ pub struct PrecisionArgs {
 
 #[derive(Args, Debug)]
 pub struct StressArgs {
-    /// Rays of each of the known cases, at most; netlists get a fiftieth.
+    /// Rays of each of the known cases, at most; interpreted netlists get a fiftieth.
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub rays: u64,
-    /// Rays that are aimed at corners, edges and faces of four meshes; netlists get 16 of each 16,384.
+    /// Rays that are aimed at corners, edges and faces of four meshes; interpreted netlists get 16 of each 16,384.
     #[arg(long, default_value_t = 20_000, value_name = "N")]
     pub aimed: u64,
     /// Rays per method and mesh that a search walks towards the worst.
