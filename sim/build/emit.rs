@@ -3,7 +3,7 @@
 //! Every value is a `Bit`, a `Word` or a `Double` of the lane set that the text is included for, and never exceeds its
 //! width: where an operation may, it is masked, unless the greatest value that it can take says that it does not.
 
-use super::unit::{Kind, Logic, Place, Sink, Slot};
+use super::unit::{Kind, Logic, Place, Sink, Slot, Source};
 use hdl::netlist::{BinaryOp, Graph, NodeId, Op, UnaryOp, mask};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -11,8 +11,7 @@ use std::fmt::Write;
 /// The text of some values of a graph, in the order in which they are asked for.
 pub struct Emitter<'u> {
     graph: &'u Graph,
-    /// Text that reads each source.
-    sources: Vec<String>,
+    sources: &'u [Source],
     /// Greatest value of each node.
     greatest: Vec<u128>,
     done: BTreeSet<NodeId>,
@@ -20,9 +19,8 @@ pub struct Emitter<'u> {
 }
 
 impl<'u> Emitter<'u> {
-    /// For a graph whose inputs are these slots of the function's memory.
-    pub fn new(graph: &'u Graph, sources: &[Slot]) -> Self {
-        let sources = sources.iter().map(|slot| load(*slot)).collect();
+    /// For a graph whose inputs are these.
+    pub fn new(graph: &'u Graph, sources: &'u [Source]) -> Self {
         Self { graph, sources, greatest: greatest(graph), done: BTreeSet::new(), text: String::new() }
     }
 
@@ -40,7 +38,7 @@ impl<'u> Emitter<'u> {
                 self.done.insert(id);
             } else {
                 stack.push((id, true));
-                let operands: Vec<NodeId> = self.graph.op(id).operands().collect();
+                let operands = operands(self.graph, self.sources, id);
                 stack.extend(operands.into_iter().rev().map(|operand| (operand, false)));
             }
         }
@@ -74,7 +72,7 @@ impl<'u> Emitter<'u> {
         let kind = Kind::of(node.width);
         match node.op {
             Op::Constant(_) => unreachable!("constants are written where they are used"),
-            Op::Input(source) => self.sources[source as usize].clone(),
+            Op::Input(source) => self.source(self.sources[source as usize]),
             Op::Register(_) | Op::Instance { .. } => unreachable!("units read memory only"),
             Op::Unary(op, a) => self.unary(op, a, node.width),
             Op::Binary(op, a, b) => self.binary(op, a, b, node.width),
@@ -83,6 +81,19 @@ impl<'u> Emitter<'u> {
             Op::Concat { high, low } => self.concat(high, low, kind),
             Op::Extend { of, signed: false } => self.converted(of, kind, 0),
             Op::Extend { of, signed: true } => self.sign_extended(of, node.width),
+        }
+    }
+
+    fn source(&self, source: Source) -> String {
+        match source {
+            Source::Memory(slot) => load(slot),
+            Source::LeadingZeros { of, most } => {
+                // A bit that is set below the value ends the search, also in a value of zero.
+                let (up, end) = (32 - self.graph.width(of), 1u128 << (31 - most));
+                let value =
+                    if up == 0 { self.name(of) } else { format!("shl_const_w::<{up}>({})", self.name(of)) };
+                format!("leading_zeros_w(or_w({value}, {}))", constant(Kind::Word, end))
+            }
         }
     }
 
@@ -338,6 +349,17 @@ fn greatest(graph: &Graph) -> Vec<u128> {
     most
 }
 
+/// What a node needs.
+fn operands(graph: &Graph, sources: &[Source], id: NodeId) -> Vec<NodeId> {
+    match graph.op(id) {
+        Op::Input(source) => match sources[source as usize] {
+            Source::Memory(_) => Vec::new(),
+            Source::LeadingZeros { of, .. } => vec![of],
+        },
+        op => op.operands().collect(),
+    }
+}
+
 /// Reads a slot of the memory that a function has.
 fn load(slot: Slot) -> String {
     match Kind::of(slot.width) {
@@ -369,12 +391,12 @@ fn cone(logic: &Logic, root: NodeId) -> BTreeSet<Slot> {
     let (mut seen, mut stack, mut slots) = (BTreeSet::new(), vec![root], BTreeSet::new());
     while let Some(id) = stack.pop() {
         if seen.insert(id) {
-            match logic.graph.op(id) {
-                Op::Input(source) => {
-                    slots.insert(logic.sources[source as usize]);
-                }
-                op => stack.extend(op.operands()),
+            if let Op::Input(source) = logic.graph.op(id)
+                && let Source::Memory(slot) = logic.sources[source as usize]
+            {
+                slots.insert(slot);
             }
+            stack.extend(operands(&logic.graph, &logic.sources, id));
         }
     }
     slots

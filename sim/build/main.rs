@@ -1,8 +1,11 @@
-//! Writes the compiled simulation: Rust text for every top of the catalogue that it covers, and for random designs that
-//! the tests compare with the other engines.
+//! Writes the compiled simulation: Rust text for every top of the catalogue that it covers, and for random designs and
+//! faulty units that the tests compare with the other engines.
 
 mod emit;
+#[path = "../src/logic/faults.rs"]
+mod faults;
 mod flush;
+mod idioms;
 mod program;
 #[path = "../src/logic/random.rs"]
 mod random;
@@ -21,6 +24,7 @@ const RANDOM_DESIGNS: u64 = 12;
 
 fn main() {
     println!("cargo::rerun-if-changed=build");
+    println!("cargo::rerun-if-changed=src/logic/faults.rs");
     println!("cargo::rerun-if-changed=src/logic/random.rs");
     let folder = std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR");
     let folder = Path::new(&folder);
@@ -44,6 +48,12 @@ fn main() {
         randoms.add(&random::design(seed, 64), &seed.to_string(), false);
     }
     randoms.write(folder, "random", "u64");
+
+    let mut faulty = Programs::default();
+    for (position, fault) in faults::faults().into_iter().enumerate() {
+        faulty.add(&faults::design(fault), &position.to_string(), false);
+    }
+    faulty.write(folder, "faults", "usize");
 }
 
 /// The pipelines that are also used one vector at a time.

@@ -2,14 +2,14 @@
 
 use super::emit::{Emitter, schedule};
 use super::flush::flush;
-use super::unit::{ENABLE, Kind, Logic, Place, Slot, Unit, Units};
+use super::unit::{ENABLE, Kind, Logic, Place, Slot, Source, Unit, Units};
 use hdl::netlist::{Design, Port, flatten};
 use std::fmt::Write;
 use std::path::Path;
 
 /// Sets of lanes, by module, with the processor features that their functions need.
 const SETS: [(&str, &str); 3] = [
-    ("avx512", "#[target_feature(enable = \"avx512f,avx512bw,avx512dq\")]\n"),
+    ("avx512", "#[target_feature(enable = \"avx512f,avx512bw,avx512cd,avx512dq\")]\n"),
     ("avx2", "#[target_feature(enable = \"avx2\")]\n"),
     ("scalar", ""),
 ];
@@ -48,7 +48,8 @@ impl Programs {
         let flush = flushed.then(|| {
             let flat = flatten(design).unwrap_or_else(|error| panic!("{}: {error}", top.name));
             let (graph, values) = flush(&flat).unwrap_or_else(|error| panic!("{}: {error}", top.name));
-            let mut emitter = Emitter::new(&graph, &unit.inputs);
+            let sources: Vec<Source> = unit.inputs.iter().map(|slot| Source::Memory(*slot)).collect();
+            let mut emitter = Emitter::new(&graph, &sources);
             values.iter().for_each(|value| emitter.value(*value));
             outputs.iter().zip(&values).for_each(|((_, slot), value)| emitter.store(*slot, *value));
             emitter.text

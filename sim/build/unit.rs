@@ -8,8 +8,9 @@
 //!
 //! The logic comes in two versions: one for any clock enable, and one for a cycle in which all lanes are enabled.
 
+use super::idioms::{Idiom, Shift, Zeros, find};
 use super::reduce::put_off;
-use hdl::netlist::{Design, Graph, Module, ModuleId, NodeId, Op};
+use hdl::netlist::{BinaryOp, Design, Graph, Module, ModuleId, NodeId, Op};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Operations below which a Moore module is not worth a function of its own.
@@ -96,13 +97,21 @@ pub struct Child {
     pub place: Place,
 }
 
+/// A value that is no operation of the graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Source {
+    /// What is read from memory.
+    Memory(Slot),
+    /// The number of zeros above the leading one of a node of the graph, or `most` if that is less.
+    LeadingZeros { of: NodeId, most: u32 },
+}
+
 /// The logic of a unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Logic {
     /// [`Op::Input`] counts `sources`, and there are no other sources but constants.
     pub graph: Graph,
-    /// What is read from memory.
-    pub sources: Vec<Slot>,
+    pub sources: Vec<Source>,
     pub sinks: Vec<Sink>,
     /// What the outputs show; for a top only.
     pub outputs: Vec<NodeId>,
@@ -132,6 +141,14 @@ struct Known {
     registers: BTreeMap<(Path, u32), Slot>,
 }
 
+/// A design, which of its modules are units, and their idioms.
+#[derive(Clone, Copy)]
+struct Context<'d> {
+    design: &'d Design,
+    is_unit: &'d [bool],
+    idioms: &'d [BTreeMap<NodeId, Idiom>],
+}
+
 /// All distinct units of some designs, those inside before those around.
 #[derive(Default)]
 pub struct Units {
@@ -143,24 +160,25 @@ pub struct Units {
 impl Units {
     /// Adds the units of `design`; returns the position of its top.
     pub fn add(&mut self, design: &Design) -> usize {
-        let mut known = BTreeMap::new();
-        self.add_module(design, &moore_modules(design), design.top_id(), &mut known).unit
+        let idioms: Vec<_> = design.modules.iter().map(|module| find(&module.graph)).collect();
+        let context = Context { design, is_unit: &units_of(design), idioms: &idioms };
+        self.add_module(&context, design.top_id(), &mut BTreeMap::new()).unit
     }
 
     fn add_module(
         &mut self,
-        design: &Design,
-        moore: &[bool],
+        context: &Context<'_>,
         module: ModuleId,
         known: &mut BTreeMap<ModuleId, Known>,
     ) -> Known {
         if let Some(found) = known.get(&module) {
             return found.clone();
         }
-        let mut builder = Builder::new(design, module);
-        builder.take_registers(moore, &mut Path::new(), module);
+        let Context { design, is_unit, idioms } = *context;
+        let mut builder = Builder::new(design, idioms, module);
+        builder.take_registers(is_unit, &mut Path::new(), module);
         for (path, module) in std::mem::take(&mut builder.inner) {
-            let inside = self.add_module(design, moore, module, known);
+            let inside = self.add_module(context, module, known);
             builder.add_child(path, &inside, &self.list[inside.unit]);
         }
         let registers = builder.registers.clone();
@@ -179,6 +197,8 @@ impl Units {
 /// Makes the unit of one module.
 struct Builder<'d> {
     design: &'d Design,
+    /// Idioms of each module of the design.
+    idioms: &'d [BTreeMap<NodeId, Idiom>],
     root: ModuleId,
     unit: Unit,
     /// Registers of the unit and of the units inside it.
@@ -196,16 +216,17 @@ struct LogicBuilder<'b> {
     /// Input that is taken to be 1.
     tied: Option<usize>,
     logic: Logic,
-    sources: BTreeMap<Slot, NodeId>,
+    sources: BTreeMap<Source, NodeId>,
     values: BTreeMap<(Path, NodeId), NodeId>,
 }
 
 impl<'d> Builder<'d> {
-    fn new(design: &'d Design, root: ModuleId) -> Self {
+    fn new(design: &'d Design, idioms: &'d [BTreeMap<NodeId, Idiom>], root: ModuleId) -> Self {
         let mut unit = Unit::default();
         unit.inputs = design.module(root).inputs.iter().map(|port| unit.size.take(port.width)).collect();
         Self {
             design,
+            idioms,
             root,
             unit,
             registers: BTreeMap::new(),
@@ -216,7 +237,7 @@ impl<'d> Builder<'d> {
     }
 
     /// Gives memory to the registers of a module that dissolves in this unit, and finds the units inside.
-    fn take_registers(&mut self, moore: &[bool], path: &mut Path, id: ModuleId) {
+    fn take_registers(&mut self, is_unit: &[bool], path: &mut Path, id: ModuleId) {
         let module = self.design.module(id);
         for (position, register) in (0..).zip(&module.registers) {
             let slot = self.unit.size.take(register.width);
@@ -226,10 +247,10 @@ impl<'d> Builder<'d> {
         }
         for (position, instance) in (0..).zip(&module.instances) {
             path.push(position);
-            if moore[instance.module.index()] {
+            if is_unit[instance.module.index()] {
                 self.inner.push((path.clone(), instance.module));
             } else {
-                self.take_registers(moore, path, instance.module);
+                self.take_registers(is_unit, path, instance.module);
             }
             path.pop();
         }
@@ -254,9 +275,13 @@ impl<'d> Builder<'d> {
         Unit { logic, enabled, ..self.unit }
     }
 
-    fn module(&self, path: &[u32]) -> &'d Module {
+    fn module_id(&self, path: &[u32]) -> ModuleId {
         let step = |id: ModuleId, &position: &u32| self.design.module(id).instances[position as usize].module;
-        self.design.module(path.iter().fold(self.root, step))
+        path.iter().fold(self.root, step)
+    }
+
+    fn module(&self, path: &[u32]) -> &'d Module {
+        self.design.module(self.module_id(path))
     }
 }
 
@@ -272,7 +297,7 @@ impl<'b> LogicBuilder<'b> {
             let slot = builder.registers[&(path.clone(), *position)];
             let mut value = self.value(path, register.data);
             if let Some(enable) = register.enable {
-                let (enable, held) = (self.value(path, enable), self.source(slot));
+                let (enable, held) = (self.value(path, enable), self.memory(slot));
                 value = self.logic.graph.mux(enable, value, held);
             }
             self.logic.sinks.push(Sink { slot, value });
@@ -297,16 +322,73 @@ impl<'b> LogicBuilder<'b> {
         }
         let (graph, map) = put_off(&self.logic.graph);
         self.logic.graph = graph;
+        for source in &mut self.logic.sources {
+            if let Source::LeadingZeros { of, .. } = source {
+                *of = map[of.index()];
+            }
+        }
         self.logic.sinks.iter_mut().for_each(|sink| sink.value = map[sink.value.index()]);
         self.logic.outputs.iter_mut().for_each(|output| *output = map[output.index()]);
         self.logic
     }
 
-    fn source(&mut self, slot: Slot) -> NodeId {
-        *self.sources.entry(slot).or_insert_with(|| {
-            self.logic.sources.push(slot);
-            self.logic.graph.build(Op::Input(self.logic.sources.len() as u32 - 1), slot.width)
+    fn memory(&mut self, slot: Slot) -> NodeId {
+        self.source(Source::Memory(slot), slot.width)
+    }
+
+    fn source(&mut self, source: Source, width: u32) -> NodeId {
+        *self.sources.entry(source).or_insert_with(|| {
+            self.logic.sources.push(source);
+            self.logic.graph.build(Op::Input(self.logic.sources.len() as u32 - 1), width)
         })
+    }
+
+    /// The value of a node that is more than what its operation says.
+    fn idiom(&mut self, path: &[u32], idiom: Idiom) -> NodeId {
+        match idiom {
+            Idiom::ShiftRight(shift) => {
+                let (value, amount) = self.shift_operands(path, shift);
+                self.logic.graph.binary(BinaryOp::Shr, value, amount)
+            }
+            Idiom::Lost(shift) => {
+                let (value, amount) = self.shift_operands(path, shift);
+                let graph = &mut self.logic.graph;
+                let shifted = graph.binary(BinaryOp::Shr, value, amount);
+                let back = graph.binary(BinaryOp::Shl, shifted, amount);
+                graph.binary(BinaryOp::Ne, back, value)
+            }
+            Idiom::Normalised(zeros) => {
+                let (value, zeros) = (self.value(path, zeros.value), self.zeros(path, zeros));
+                self.logic.graph.binary(BinaryOp::Shl, value, zeros)
+            }
+            Idiom::Counted(zeros, base) => self.with_zeros(path, BinaryOp::Add, base, zeros),
+            Idiom::Spent(zeros, base) => self.with_zeros(path, BinaryOp::Sub, base, zeros),
+        }
+    }
+
+    fn shift_operands(&mut self, path: &[u32], shift: Shift) -> (NodeId, NodeId) {
+        let (value, amount) = (self.value(path, shift.value), self.value(path, shift.amount));
+        (value, self.logic.graph.slice(amount, 0, shift.bits))
+    }
+
+    fn with_zeros(&mut self, path: &[u32], op: BinaryOp, base: NodeId, zeros: Zeros) -> NodeId {
+        let (base, zeros) = (self.value(path, base), self.zeros(path, zeros));
+        let graph = &mut self.logic.graph;
+        let zeros = graph.resize(zeros, graph.width(base), false);
+        graph.binary(op, base, zeros)
+    }
+
+    fn zeros(&mut self, path: &[u32], zeros: Zeros) -> NodeId {
+        let Zeros { value, most, budget } = zeros;
+        let of = self.value(path, value);
+        let zeros = self.source(Source::LeadingZeros { of, most }, most.ilog2() + 1);
+        let Some(budget) = budget else { return zeros };
+        let budget = self.value(path, budget);
+        let graph = &mut self.logic.graph;
+        let width = graph.width(zeros).max(graph.width(budget));
+        let (zeros, budget) = (graph.extend(zeros, width, false), graph.extend(budget, width, false));
+        let within = graph.binary(BinaryOp::Lt, zeros, budget);
+        graph.mux(within, zeros, budget)
     }
 
     /// The node of the unit's graph with the value of `node` of the module at `path`.
@@ -318,6 +400,11 @@ impl<'b> LogicBuilder<'b> {
         let builder = self.builder;
         let module = builder.module(path);
         let found = module.graph.node(node);
+        if let Some(&idiom) = builder.idioms[builder.module_id(path).index()].get(&node) {
+            let value = self.idiom(path, idiom);
+            self.values.insert(key, value);
+            return value;
+        }
         let value = match found.op {
             Op::Instance { instance, output } => {
                 let inside = module.instances[instance as usize].module;
@@ -327,13 +414,13 @@ impl<'b> LogicBuilder<'b> {
             }
             Op::Input(input) => match path.split_last() {
                 None if self.tied == Some(input as usize) => self.logic.graph.constant(1, 1),
-                None => self.source(builder.unit.inputs[input as usize]),
+                None => self.memory(builder.unit.inputs[input as usize]),
                 Some((&position, parent)) => {
                     let driver = builder.module(parent).instances[position as usize].inputs[input as usize];
                     self.value(parent, driver)
                 }
             },
-            Op::Register(position) => self.source(builder.registers[&(path.to_vec(), position)]),
+            Op::Register(position) => self.memory(builder.registers[&(path.to_vec(), position)]),
             op => {
                 let operands: Vec<NodeId> = op.operands().map(|operand| self.value(path, operand)).collect();
                 let mut operands = operands.into_iter();
@@ -347,7 +434,7 @@ impl<'b> LogicBuilder<'b> {
 }
 
 /// Whether each module is to be a unit.
-fn moore_modules(design: &Design) -> Vec<bool> {
+fn units_of(design: &Design) -> Vec<bool> {
     let mut uses = vec![0; design.modules.len()];
     for instance in design.modules.iter().flat_map(|module| &module.instances) {
         uses[instance.module.index()] += 1;

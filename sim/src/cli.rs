@@ -8,6 +8,7 @@ use golden::precision::Variant;
 use golden::render::Test;
 use golden::structure::StructureKind;
 use hdl::catalogue::{StandardFormat, Top};
+use sim::machine::frame::MachineStructure;
 use sim::picture::heatmap::Quantity;
 use sim::stress::Method;
 use std::path::PathBuf;
@@ -70,6 +71,10 @@ pub enum Command {
     Needs(NeedsArgs),
     /// Estimate area, energy and clock of the pipelines, beside the published figures.
     Estimate(EstimateArgs),
+    /// Time a frame on a many-core machine, or the public simulator's reference runs.
+    Simulate(SimulateArgs),
+    /// The paper's study: all built-in scenes, eight structures, both tests, on the many-core machine.
+    Study(StudyArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -276,9 +281,16 @@ pub struct CheckArgs {
     /// The unit or pipeline [default: all].
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Option<Top>,
-    /// Cycles to run through each, stalls and bubbles included.
+    /// Operations to compare for each, besides stalls and bubbles.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
+    /// Compare all pairs of operands of a format of at most 16 bits instead, in every mode of the unit: add, sub, mul, min,
+    /// max, lt, le or eq.
+    #[arg(long, num_args = 2, value_names = ["FORMAT", "OP"], conflicts_with_all = ["unit", "vectors", "prove"])]
+    pub exhaustive: Option<Vec<String>>,
+    /// Where an interrupted exhaustive check continues from [default: check-FORMAT-OP.json]; removed when all is done.
+    #[arg(long, value_name = "FILE", requires = "exhaustive")]
+    pub state: Option<PathBuf>,
     /// Prove instead, for all inputs and states: units and control against independent references, and the exported
     /// Verilog, read back by yosys if that is installed, against the simulated graph.
     #[arg(long)]
@@ -431,6 +443,67 @@ pub struct EstimateArgs {
 }
 
 #[derive(Args, Debug)]
+pub struct MachineArgs {
+    /// The machine: a preset (trax or simtrax-reference) or a TOML file.
+    #[arg(long, default_value = "trax", value_name = "MACHINE")]
+    pub machine: String,
+    /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub settings: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+#[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config"])))]
+pub struct SimulateArgs {
+    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    pub scene: Option<String>,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    /// The structure, with its program and its pipeline: dst-sw decodes in software, + is parallel pipelines.
+    #[arg(long, default_value = "dst", value_parser = machine_structure())]
+    pub structure: MachineStructure,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "128x128", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// Also write the results as CSV: quantity, value, unit, meaning.
+    #[arg(long, value_name = "FILE", requires = "scene")]
+    pub csv: Option<PathBuf>,
+    /// Make the reference runs of a folder, with the preset simtrax-reference, and compare; exit code 1 if a quantity is
+    /// not within its tolerance.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
+    pub validate: Option<PathBuf>,
+    /// Print the machine as a TOML file.
+    #[arg(long)]
+    pub dump_config: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct StudyArgs {
+    /// quick: small scenes and images; paper: full-size scenes, 256x256 pixels, 32 multiprocessors, hours.
+    #[arg(long, default_value = "quick", value_parser = ["quick", "paper"])]
+    pub preset: String,
+    /// Only this scene: the runs of a study can be shared out and go on where they were interrupted.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// The folder to write; runs that it already holds are not repeated.
+    #[arg(long, default_value = "study", value_name = "DIR")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    #[command(flatten)]
+    pub machine: MachineArgs,
+}
+
+#[derive(Args, Debug)]
 pub struct ReproduceArgs {
     /// smoke: minute scenes and pictures, seconds; quick: small ones, under two minutes on two cores.
     #[arg(long, default_value = "quick", value_parser = ["smoke", "quick"])]
@@ -473,6 +546,10 @@ fn structure() -> impl TypedValueParser<Value = StructureKind> {
 
 fn row() -> impl TypedValueParser<Value = TreeRow> {
     one_of(TreeRow::ALL, TreeRow::name)
+}
+
+fn machine_structure() -> impl TypedValueParser<Value = MachineStructure> {
+    one_of(MachineStructure::ALL, MachineStructure::name)
 }
 
 fn test() -> impl TypedValueParser<Value = Test> {

@@ -332,6 +332,30 @@ fn check() {
 }
 
 #[test]
+fn exhaustive_check() {
+    let work = Workplace::new();
+    let document = work.json("check --exhaustive e5m2 mul");
+    let unit = &document["units"][0];
+    has_keys(unit, &["name", "vectors", "mismatches", "vectors_per_second"]);
+    assert_eq!(unit["vectors"], 5 << 16);
+    assert_eq!(unit["mismatches"], 0);
+    let state = work.path("check-e5m2-mul.json");
+    assert!(!state.exists(), "the state is removed when all is done");
+    // What is left of an interrupted run is done, no more; a mismatch found before is not forgotten.
+    let left = r#"{"format":"e5m2","operation":"mul","blocks":1279,"vectors":7,"mismatches":1,"first":"so"}"#;
+    std::fs::write(&state, left).unwrap();
+    let output = work.run("check --exhaustive e5m2 mul --json");
+    assert_eq!(output.status.code(), Some(1));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(document["units"][0]["vectors"], 7 + 256);
+    assert_eq!(document["units"][0]["first_mismatch"], "so");
+    std::fs::write(&state, left.replace("mul", "add")).unwrap();
+    work.refused("check --exhaustive e5m2 mul", &["check-e5m2-mul.json", "--state"]);
+    work.refused("check --exhaustive binary32 mul", &["2^64", "--vectors"]);
+    work.refused("check --exhaustive e5m2 div", &["`div`", "add, sub"]);
+}
+
+#[test]
 fn export() {
     let work = Workplace::new();
     let document = work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");

@@ -12,38 +12,11 @@ use hdl::catalogue::Top;
 use hdl::netlist::inventory;
 use serde::Serialize;
 use sim::estimate::{
-    Alternative, Breakdown, EstimateError, Implementation, Method, ModuleRow, NodeType, Scaling, Workload,
-    alternatives, cost,
+    Alternative, Breakdown, EstimateError, Implementation, Method, ModuleRow, NodeType, PaperFigures,
+    Scaling, Workload, alternatives, cost,
 };
 use sim::gates::liberty::{embedded, load};
 use sim::gates::words::Structures;
-
-/// Figures of Lin, Vasiou, Yuksel, Kopta, Brunvand, "Hardware-Accelerated Dual-Split Trees", HPG 2020, at 65 nm.
-#[derive(Clone, Copy, Serialize)]
-struct Published {
-    area_um2: f64,
-    energy_pj: f64,
-    latency_cycles: u32,
-    /// The area without that of the units' sum.
-    glue_area_um2: f64,
-    /// The energy without that of the units' sum.
-    glue_energy_pj: f64,
-}
-
-const PUBLISHED_DUAL_SPLIT: Published = Published {
-    area_um2: 49_800.0,
-    energy_pj: 61.0,
-    latency_cycles: 8,
-    glue_area_um2: 5_100.0,
-    glue_energy_pj: 13.5,
-};
-const PUBLISHED_RAY_BOX: Published = Published {
-    area_um2: 127_800.0,
-    energy_pj: 137.7,
-    latency_cycles: 8,
-    glue_area_um2: 700.0,
-    glue_energy_pj: 0.6,
-};
 
 #[derive(Serialize)]
 struct Document {
@@ -102,7 +75,7 @@ struct PipelineRow {
     name: &'static str,
     units: Units,
     latency_cycles: Option<u32>,
-    published: Published,
+    published: PaperFigures,
     estimates: Vec<EstimateRow>,
     /// In the library, square micrometres.
     area: Breakdown,
@@ -193,7 +166,6 @@ fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Res
     let count = |kind: &str| counts.units.get(kind).copied().unwrap_or(0);
     let stream = workload.streams(implementation)?;
     let energy = implementation.energy(&stream);
-    // Published unit costs are of 65 nm: the glue beside them comes from the embedded library if the given one does not scale.
     let mut estimates = Vec::new();
     let methods = [
         ("published", Method::Published),
@@ -239,7 +211,7 @@ fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Res
             fp_cmp: count("fp_cmp"),
         },
         latency_cycles: counts.latency_cycles,
-        published: if is_box { PUBLISHED_RAY_BOX } else { PUBLISHED_DUAL_SPLIT },
+        published: PaperFigures::of(top)?,
         estimates,
         area: implementation.area(),
         energy: energy.zero_delay,
@@ -261,8 +233,8 @@ fn ratios(rows: &[PipelineRow]) -> Vec<RatioRow> {
     let [dual_split, ray_box] = rows else { return Vec::new() };
     let mut ratios = vec![RatioRow {
         method: "paper".to_owned(),
-        area: PUBLISHED_RAY_BOX.area_um2 / PUBLISHED_DUAL_SPLIT.area_um2,
-        energy: PUBLISHED_RAY_BOX.energy_pj / PUBLISHED_DUAL_SPLIT.energy_pj,
+        area: ray_box.published.area_um2 / dual_split.published.area_um2,
+        energy: ray_box.published.energy_pj / dual_split.published.energy_pj,
     }];
     for (small, large) in dual_split.estimates.iter().zip(&ray_box.estimates) {
         ratios.push(RatioRow {

@@ -11,7 +11,9 @@ mod prove;
 mod render;
 mod reproduce;
 mod scenes;
+mod simulate;
 mod stress;
+mod study;
 mod trace;
 mod tree;
 mod wave;
@@ -44,6 +46,8 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Stress(args)) => stress::run(args, global),
         Some(Command::Needs(args)) => needs::run(args, global),
         Some(Command::Estimate(args)) => estimate::run(args, global),
+        Some(Command::Simulate(args)) => simulate::run(args, global),
+        Some(Command::Study(args)) => study::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

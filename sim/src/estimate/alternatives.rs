@@ -28,6 +28,9 @@ pub struct Alternative {
 /// Bits that select an axis.
 type Axis = [Lit; 2];
 
+/// A word for each axis.
+type Reciprocals = [Vec<Lit>; 3];
+
 /// The alternatives for the dual-split pipeline.
 ///
 /// # Errors
@@ -158,7 +161,8 @@ fn of_axis(aig: &mut Aig, axis: Axis) -> [Lit; 3] {
     [x, y, axis[1]]
 }
 
-fn reciprocals(aig: &mut Aig) -> ([Lit; 3], Lit, [Vec<Lit>; 3], [Vec<Lit>; 3]) {
+/// Conditions of the axes, the plane's side, and the reciprocals for entry and exit.
+fn reciprocals(aig: &mut Aig) -> ([Lit; 3], Lit, Reciprocals, Reciprocals) {
     let axis = [aig.add_input("axis0"), aig.add_input("axis1")];
     let side = aig.add_input("side");
     let entry = [0, 1, 2].map(|i| word(aig, &format!("entry{i}_"), 32));

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::netlist::{Design, Flat, ScopeId, flatten};
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{Breakdown, EstimateError};
@@ -20,8 +21,9 @@ use crate::unit_costs::Unit;
 
 /// Cycles until a pipeline is filled.
 const FILL_CYCLES: usize = 10;
-/// Cycles simulated with glitches.
-const GLITCH_CYCLES: usize = 60;
+/// Places in a stream that are simulated with glitches, and cycles counted at each.
+const GLITCH_WINDOWS: usize = 8;
+const GLITCH_CYCLES: usize = 16;
 
 /// A pipeline in a library.
 #[derive(Debug)]
@@ -164,10 +166,20 @@ impl<'l> Implementation<'l> {
         let cycles = activity.cycles.max(1) as f64;
         let by_node = |net: u32| activity.changes[self.mapped.literals[net as usize].node()] as f64 / cycles;
         let zero_delay = self.spread(&energy::energy(&self.mapped, self.library, &self.timing, by_node));
-        let middle = stream.len() / 2;
-        let sample = &stream[middle..stream.len().min(middle + FILL_CYCLES + 1 + GLITCH_CYCLES)];
-        let (changes, glitch_operations) =
-            glitch::changes(aig, &self.mapped, self.library, &self.timing, inputs, sample, FILL_CYCLES);
+        let windows: Vec<(Vec<u64>, u64)> = (0..GLITCH_WINDOWS)
+            .into_par_iter()
+            .map(|window| {
+                let start = stream.len() * window / GLITCH_WINDOWS;
+                let end = stream.len().min(start + FILL_CYCLES + 1 + GLITCH_CYCLES);
+                let sample = &stream[start..end];
+                glitch::changes(aig, &self.mapped, self.library, &self.timing, inputs, sample, FILL_CYCLES)
+            })
+            .collect();
+        let glitch_operations: u64 = windows.iter().map(|(_, cycles)| cycles).sum();
+        let mut changes = vec![0u64; self.mapped.nets];
+        for (counts, _) in &windows {
+            changes.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+        }
         let by_net = |net: u32| changes[net as usize] as f64 / glitch_operations.max(1) as f64;
         let with_glitches = self.spread(&energy::energy(&self.mapped, self.library, &self.timing, by_net));
         EnergyReport { zero_delay, with_glitches, operations: activity.cycles, glitch_operations }

@@ -1,16 +1,8 @@
 //! Published unit costs on our counts, with our own glue logic beside.
 
-use hdl::netlist::inventory;
-
+use super::paper::units;
 use super::{Breakdown, EstimateError, Implementation, PipelineCost, Scaling};
-use crate::unit_costs::{self, Unit};
-
-/// Glue of the paper's dual-split pipeline: 0.0498 mm2 less its units' sum.
-#[cfg(test)]
-pub const PAPER_GLUE_AREA_UM2: f64 = 5100.0;
-/// 0.0610 nJ less its units' sum.
-#[cfg(test)]
-pub const PAPER_GLUE_ENERGY_PJ: f64 = 13.5;
+use crate::unit_costs;
 
 /// Area of a two-input NAND gate, one gate equivalent, at 65 nm: between that of Nangate's 45 nm cell (0.798 um2 x 1.5) and
 /// of IHP's 130 nm cell (7.2576 um2 x 0.23), both scaled as in [`Scaling`]: 1.20 to 1.67.
@@ -24,19 +16,13 @@ pub fn cost(
 ) -> Result<PipelineCost, EstimateError> {
     let library = implementation.library;
     let scaling = Scaling::of(library).ok_or_else(|| EstimateError::Unscalable(library.name.clone()))?;
-    let (mut unit_area, mut unit_energy) = (0.0, 0.0);
-    for (kind, &count) in &inventory(&implementation.design)?.units {
-        if let Some(unit) = Unit::of_module(kind) {
-            unit_area += f64::from(count) * unit.published().area_um2;
-            unit_energy += f64::from(count) * unit.published().energy_pj;
-        }
-    }
+    let units = units(&implementation.design)?;
     let gates = area.glue / library.gate_equivalent_um2();
     let glue_area_um2 = gates * GATE_EQUIVALENT_UM2;
     let glue_energy_pj = energy_fj.glue * scaling.energy / 1e3;
     Ok(PipelineCost {
-        area_um2: unit_area + glue_area_um2,
-        energy_pj: unit_energy + glue_energy_pj,
+        area_um2: units.area_um2 + glue_area_um2,
+        energy_pj: units.energy_pj + glue_energy_pj,
         glue_area_um2,
         glue_energy_pj,
         source: format!(

@@ -37,7 +37,7 @@ pub fn changes(
         settled.settle();
         let value = |net: u32| settled.value(mapped.literals[net as usize])[0] & 1 == 1;
         if cycle == 0 {
-            simulation.set_all(|net| value(net));
+            simulation.set_all(value);
         } else {
             let sources = mapped.inputs.iter().map(|&net| (net, 0));
             let delay = |net: u32| femtoseconds(timing.latest(net));

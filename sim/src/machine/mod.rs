@@ -7,6 +7,7 @@
 pub mod core;
 pub mod costs;
 pub mod description;
+pub mod frame;
 pub mod pipelines;
 pub mod program;
 pub mod reference;

@@ -2,6 +2,7 @@
 
 use super::description::check::{out_of_range, unit_key};
 use super::description::{DescriptionError, MachineDescription};
+use crate::estimate::{Method, PipelineCost, pipeline_cost};
 use crate::unit_costs::Unit;
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::netlist::inventory;
@@ -10,32 +11,23 @@ use std::collections::BTreeMap;
 /// A pipeline of a multiprocessor: one operation a cycle, shared by its threads, configured for the whole run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pipeline {
-    /// Name of the module.
-    pub name: &'static str,
+    /// The module.
+    pub top: Top,
     /// Units that it consists of.
     pub units: BTreeMap<Unit, u32>,
     /// Cycles from operands to results.
     pub latency_cycles: u32,
-}
-
-/// What a pipeline costs, and where that is from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PipelineCost {
-    /// Energy of an operation in picojoules.
-    pub energy_pj: f64,
-    /// Area in square micrometres.
-    pub area_um2: f64,
-    /// Provenance.
-    pub source: &'static str,
+    /// Area and energy of an operation.
+    pub cost: PipelineCost,
 }
 
 impl Pipeline {
-    /// The pipeline `top` in single precision.
+    /// The pipeline `top` in single precision, its cost found by `method`.
     ///
     /// # Panics
     /// If `top` cannot be elaborated or has paths of different latency, which the hardware's own tests rule out.
     #[must_use]
-    pub fn new(top: Top) -> Self {
+    pub fn new(top: Top, method: Method) -> Self {
         let design = top.design(StandardFormat::Binary32).expect("the catalogue's modules elaborate");
         let inventory = inventory(&design).expect("the pipelines have no combinational loop");
         let mut units = BTreeMap::new();
@@ -45,9 +37,17 @@ impl Pipeline {
             }
         }
         Self {
-            name: top.name(),
+            top,
             units,
             latency_cycles: inventory.latency_cycles.expect("a pipeline has one latency"),
+            cost: pipeline_cost(top, method).expect("the catalogue's modules elaborate"),
+        }
+    }
+
+    /// Adds the units that this pipeline has beyond those of `single` to `machine`.
+    pub fn add_units_beyond(&self, single: &Self, machine: &mut MachineDescription) {
+        for (&unit, &count) in &self.units {
+            machine.units.pool_mut(unit).count += count - single.units.get(&unit).copied().unwrap_or(0);
         }
     }
 
@@ -56,15 +56,17 @@ impl Pipeline {
     /// # Errors
     /// If a multiprocessor has not enough of them, or none would be left for the rest of the program.
     pub fn take_units(&self, machine: &mut MachineDescription) -> Result<(), DescriptionError> {
+        let mut left = machine.units;
         for (&unit, &count) in &self.units {
-            let pool = machine.units.pool_mut(unit);
+            let pool = left.pool_mut(unit);
             if pool.count <= count {
                 let key = format!("units.{}.count", unit_key(unit));
-                let rule = format!("the pipeline {} takes {count}, and one has to be left", self.name);
+                let rule = format!("the pipeline {} takes {count}, and one has to be left", self.top);
                 return Err(out_of_range(key, pool.count, rule));
             }
             pool.count -= count;
         }
+        machine.units = left;
         Ok(())
     }
 
@@ -72,18 +74,6 @@ impl Pipeline {
     #[must_use]
     pub fn unit_area_um2(&self) -> f64 {
         self.units.iter().map(|(unit, count)| f64::from(*count) * unit.published().area_um2).sum()
-    }
-
-    /// What an operation costs: the published costs of its units, without what connects them.
-    #[must_use]
-    pub fn cost(&self) -> PipelineCost {
-        let energy_pj =
-            self.units.iter().map(|(unit, count)| f64::from(*count) * unit.published().energy_pj).sum();
-        PipelineCost {
-            energy_pj,
-            area_um2: self.unit_area_um2(),
-            source: "published unit costs on the counts of the elaborated RTL, without glue",
-        }
     }
 }
 
@@ -94,13 +84,15 @@ mod tests {
     #[test]
     fn units_are_taken_from_the_machine() {
         let mut machine = MachineDescription::load("trax", &[]).unwrap();
-        Pipeline::new(Top::RayBox).take_units(&mut machine).unwrap();
+        Pipeline::new(Top::RayBox, Method::Published).take_units(&mut machine).unwrap();
         let left = |unit| machine.units.pool(unit).count;
         assert_eq!((left(Unit::FpAdd), left(Unit::FpMul), left(Unit::FpMinMax)), (2, 2, 4));
         let mut small = MachineDescription::load("trax", &["units.fp_mul.count=6".to_owned()]).unwrap();
-        let error = Pipeline::new(Top::RayBox).take_units(&mut small).unwrap_err().to_string();
+        let error =
+            Pipeline::new(Top::RayBox, Method::Published).take_units(&mut small).unwrap_err().to_string();
         assert!(error.contains("units.fp_mul.count = 6") && error.contains("ray_box"), "{error}");
-        let dual_split = Pipeline::new(Top::DualSplit);
+        let dual_split = Pipeline::new(Top::DualSplit, Method::Published);
+        let mut small = MachineDescription::load("trax", &["units.fp_mul.count=6".to_owned()]).unwrap();
         dual_split.take_units(&mut small).unwrap();
         assert_eq!(small.units.fp_mul.count, 4);
         assert_eq!(dual_split.latency_cycles, 8);

@@ -95,7 +95,7 @@ fn binary32_adder_for_some_exponents() {
     let mut theorem = Theorem::of(Top::FpAdd, StandardFormat::Binary32, |_| ()).unwrap();
     println!("stated in {:.2} s", start.elapsed().as_secs_f64());
     // Neighbours in exponent, where digits cancel, and pairs from anywhere.
-    let near = (0..256usize).step_by(23).flat_map(|a| [a << 8 | a, a << 8 | (a + 1) % 256]);
+    let near = (0..256usize).step_by(23).flat_map(|a| [a * 256 + a, a * 256 + (a + 1) % 256]);
     let chosen: Vec<usize> = near.chain((0..65_536).step_by(1_637)).collect();
     theorem.cases = chosen.into_iter().map(|case| theorem.cases[case].clone()).collect();
     let cases = theorem.cases.len();

@@ -58,3 +58,10 @@ pub mod random {
     use super::super::{Functions, Program, ProgramPort, Sets, Slot};
     include_programs!("/avx512_random.rs", "/avx2_random.rs", "/scalar_random.rs", "/random.rs");
 }
+
+/// The units of [`crate::logic::faults`], by position.
+#[cfg(test)]
+pub mod faults {
+    use super::super::{Functions, Program, ProgramPort, Sets, Slot};
+    include_programs!("/avx512_faults.rs", "/avx2_faults.rs", "/scalar_faults.rs", "/faults.rs");
+}

@@ -20,7 +20,7 @@ use std::fmt;
 /// Instructions that the compiled functions use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InstructionSet {
-    /// AVX-512 F, BW and DQ.
+    /// AVX-512 F, BW, CD and DQ.
     Avx512,
     /// AVX2.
     Avx2,
@@ -40,6 +40,7 @@ impl InstructionSet {
             Self::Avx512 => {
                 is_x86_feature_detected!("avx512f")
                     && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("avx512cd")
                     && is_x86_feature_detected!("avx512dq")
             }
             #[cfg(target_arch = "x86_64")]
@@ -301,6 +302,29 @@ impl Engine for Compiled {
 
     fn set_input(&mut self, input: usize, lane: usize, value: u128) {
         self.set(self.program.inputs[input].slot, lane, value as u64);
+    }
+
+    fn drive(&mut self, input: usize, values: &[u32]) {
+        let values: &[u32; LANES] = values.try_into().expect("a value for each lane");
+        match self.program.inputs[input].slot {
+            Slot::Bit(bit) => {
+                let lanes = values.iter().zip(0..).map(|(value, lane)| (value & 1) << lane);
+                self.bits[bit].0 = lanes.fold(0, |bits, lane| bits | lane as u16);
+            }
+            Slot::Word(row, _) => self.rows[row].0 = *values,
+            slot @ Slot::Double(..) => panic!("{slot:?} is wider than 32 bits"),
+        }
+    }
+
+    fn read(&self, output: usize, values: &mut [u32]) {
+        let values: &mut [u32; LANES] = values.try_into().expect("room for each lane");
+        match self.program.outputs[output].slot {
+            Slot::Bit(bit) => {
+                let bits = self.bits[bit].0;
+                values.iter_mut().zip(0..).for_each(|(value, lane)| *value = u32::from(bits >> lane & 1));
+            }
+            Slot::Word(row, _) | Slot::Double(row, _) => *values = self.rows[row].0,
+        }
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 use super::generated;
 use super::{Compiled, InstructionSet, Program};
 use crate::logic::agreement::{any_inputs, first_difference};
-use crate::logic::{Engine, random};
+use crate::logic::{Engine, faults, random};
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::equivalence::Stimulus;
 use hdl::netlist::{Flat, Port, flatten};
@@ -134,5 +134,26 @@ fn random_programs_use_every_operation() {
     let others = ["widen(", "narrow(", "saturate(", "mul_wide("].map(str::to_owned);
     for operation in bits.into_iter().chain(numbers).chain(shifts).chain(others) {
         assert!(text.contains(&operation), "no random design uses {operation}..)");
+    }
+}
+
+/// A faulty unit is simulated with its fault, and not as the unit that it should be.
+#[test]
+fn faulty_units_agree_with_the_evaluator_and_with_nothing_else() {
+    for ((position, program), fault) in generated::faults::PROGRAMS.iter().zip(faults::faults()) {
+        let top = fault.0;
+        let sound = flatten(&top.design(StandardFormat::Binary32).unwrap()).unwrap();
+        let faulty = flatten(&faults::design(fault)).unwrap();
+        for set in sets() {
+            let mut compiled = Compiled::with_instructions(program, set).unwrap();
+            for (netlist, agrees) in [(&faulty, true), (&sound, false)] {
+                let mut streams: Vec<_> = (0..compiled.lanes() as u64)
+                    .map(|lane| Stimulus::new(top, StandardFormat::Binary32, netlist, lane))
+                    .collect();
+                let inputs = |_, lane: usize| streams[lane].next().unwrap();
+                let difference = first_difference(netlist, &mut compiled, 400, inputs);
+                assert_eq!(difference.is_none(), agrees, "fault {position}, {set}: {difference:?}");
+            }
+        }
     }
 }

@@ -90,6 +90,21 @@ impl Columns {
         }
     }
 
+    /// Writes a column of at most 32 bits.
+    pub fn drive(&mut self, place: Place, values: &[u32; LANES]) {
+        assert_eq!(place.size, Size::Small, "an input wider than 32 bits");
+        self.small[place.at] = *values;
+    }
+
+    /// Reads the low 32 bits of a column.
+    pub fn read(&self, place: Place, values: &mut [u32; LANES]) {
+        match place.size {
+            Size::Small => *values = self.small[place.at],
+            Size::Medium => *values = self.medium[place.at].map(|value| value as u32),
+            Size::Large => *values = self.large[place.at].map(|value| value as u32),
+        }
+    }
+
     pub fn copy(&mut self, to: Place, from: Place) {
         match to.size {
             Size::Small => self.small[to.at] = self.small[from.at],

@@ -96,6 +96,15 @@ impl Engine for Interpreter {
         self.columns.set(place, lane, value & mask(width));
     }
 
+    fn drive(&mut self, input: usize, values: &[u32]) {
+        let (place, _) = self.inputs[input];
+        self.columns.drive(place, values.try_into().expect("a value for each lane"));
+    }
+
+    fn read(&self, output: usize, values: &mut [u32]) {
+        self.columns.read(self.outputs[output], values.try_into().expect("room for each lane"));
+    }
+
     fn settle(&mut self) {
         #[cfg(target_arch = "x86_64")]
         {

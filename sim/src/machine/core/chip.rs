@@ -3,7 +3,7 @@
 use super::dram::{Dram, Read, Requester};
 use super::l1::Access;
 use super::l2::L2;
-use super::outstanding::UNKNOWN;
+use super::outstanding::Arrival;
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
 use super::tm::{QUANTUM, Request, Tm};
 use super::work::{Tape, Work};
@@ -201,7 +201,7 @@ impl<W: Work> Chip<'_, W> {
             Access::Ask => {}
         }
         let l2 = &mut self.l2s[number / self.machine.chip.tms_per_partition as usize];
-        if !l2.take_bank(slot, request.address) {
+        if !l2.is_free(slot, request.address) {
             return tm.refused(request);
         }
         let line = request.address >> self.line_shift;
@@ -210,23 +210,26 @@ impl<W: Work> Chip<'_, W> {
             if !self.dram.write(now, line) {
                 return tm.refused(request);
             }
+            l2.take(slot, request.address);
             l2.counts.stores += 1;
             tm.l1.stored(slot, request.address);
             return tm.served(program, request, now + 1);
         }
         let hit = l2.hit(line);
         let arrival = if hit {
-            now + self.machine.l1.latency_cycles + self.machine.l2.latency_cycles
+            let filled = now + self.machine.l2.latency_cycles;
+            Arrival { filled, usable: filled + self.machine.l1.latency_cycles }
         } else {
             match self.dram.read(now, line, Requester { tm: number as u16 }) {
                 Read::Refused => return tm.refused(request),
-                Read::Queued => UNKNOWN,
+                Read::Queued => Arrival::NOT_KNOWN,
                 Read::Arrives(cycle) => {
                     l2.arrives(line, cycle);
-                    cycle
+                    Arrival::from_memory(cycle)
                 }
             }
         };
+        l2.take(slot, request.address);
         l2.counts.loads += 1;
         l2.counts.hits += u64::from(hit);
         let ready = tm.l1.taken(now, slot, request.address, arrival, waiter);

@@ -1,6 +1,6 @@
 //! The first-level cache of a multiprocessor.
 
-use super::outstanding::{Outstanding, UNKNOWN, Waiter};
+use super::outstanding::{Arrival, Outstanding, UNKNOWN, Waiter};
 use super::stats::CacheCounts;
 use super::tags::Tags;
 use super::tm::QUANTUM;
@@ -65,7 +65,7 @@ impl L1 {
             }
             self.fills.pop_front();
             self.tags.fill(line);
-            self.outstanding.remove(line);
+            self.outstanding.remove_arrived(line, arrival);
         }
     }
 
@@ -96,35 +96,47 @@ impl L1 {
             return Access::Refused;
         }
         let line = address >> self.line_shift;
-        if self.tags.hit(line) {
+        if self.holds(now, line) {
             self.counts.loads += 1;
             self.counts.hits += 1;
             self.busy[slot] |= bank;
             return Access::Served(now + self.latency);
         }
-        let Some(arrival) = self.outstanding.arrival(line) else {
-            return Access::Ask;
-        };
-        if arrival <= now && !self.enabled {
-            return Access::Ask;
+        match self.outstanding.arrival(line) {
+            Some(arrival) if arrival.filled > now => {
+                self.counts.loads += 1;
+                self.counts.joined += 1;
+                self.busy[slot] |= bank;
+                Access::Served(self.wait(now, line, arrival, waiter))
+            }
+            // It has been replaced since.
+            _ => Access::Ask,
         }
-        self.counts.loads += 1;
-        self.busy[slot] |= bank;
-        if arrival <= now {
-            // It has come since the quantum began.
-            self.counts.hits += 1;
-            return Access::Served(now + self.latency);
-        }
-        self.counts.joined += 1;
-        Access::Served(self.wait(now, line, arrival, waiter))
     }
 
-    fn wait(&mut self, now: u32, line: u32, arrival: u32, waiter: Waiter) -> u32 {
-        if arrival == UNKNOWN {
+    /// Whether `line` is held in cycle `now`: what has arrived since the quantum began counts.
+    #[inline(always)]
+    fn holds(&mut self, now: u32, line: u32) -> bool {
+        if self.fills.front().is_some_and(|(filled, _)| *filled <= now) && self.tags.is_enabled() {
+            let arrived = self.fills.iter().rev().filter(|(filled, _)| *filled <= now);
+            for &(_, other) in arrived {
+                if other == line {
+                    return true;
+                }
+                if self.tags.compete(other, line) {
+                    return false;
+                }
+            }
+        }
+        self.tags.hit(line)
+    }
+
+    fn wait(&mut self, now: u32, line: u32, arrival: Arrival, waiter: Waiter) -> u32 {
+        if arrival.usable == UNKNOWN {
             self.outstanding.wait(line, waiter);
             return UNKNOWN;
         }
-        arrival.max(now + self.latency)
+        arrival.usable.max(now + self.latency)
     }
 
     /// A store to `address` in slot `slot`: refused, or to be passed on to the chip.
@@ -148,14 +160,14 @@ impl L1 {
         Access::Ask
     }
 
-    /// The chip has taken a load; its line arrives in cycle `arrival`, or [`UNKNOWN`]. Returns when it can be used.
-    pub fn taken(&mut self, now: u32, slot: usize, address: u32, arrival: u32, waiter: Waiter) -> u32 {
+    /// The chip has taken a load. Returns when its result can be used.
+    pub fn taken(&mut self, now: u32, slot: usize, address: u32, arrival: Arrival, waiter: Waiter) -> u32 {
         let line = address >> self.line_shift;
         self.counts.loads += 1;
         self.busy[slot] |= self.bank(address);
-        self.outstanding.insert(line, arrival);
-        if arrival != UNKNOWN {
-            self.fill_at(arrival, line);
+        self.outstanding.insert(now, line, arrival);
+        if arrival.filled != UNKNOWN {
+            self.fill_at(arrival.filled, line);
         }
         self.wait(now, line, arrival, waiter)
     }
@@ -171,10 +183,10 @@ impl L1 {
         self.fills.insert(at, (arrival, line));
     }
 
-    /// It is known now that `line` arrives in cycle `arrival`; `wake` is called for everyone who waits for it.
-    pub fn arrives(&mut self, line: u32, arrival: u32, wake: impl FnMut(Waiter)) {
+    /// It is known now when `line` arrives; `wake` is called for everyone who waits for it.
+    pub fn arrives(&mut self, line: u32, arrival: Arrival, wake: impl FnMut(Waiter)) {
         if self.outstanding.arrives(line, arrival, wake) {
-            self.fill_at(arrival, line);
+            self.fill_at(arrival.filled, line);
         }
     }
 }

@@ -48,15 +48,22 @@ impl L2 {
         self.fills.insert(at, (cycle, line));
     }
 
-    /// Takes the bank of word `address` in slot `slot`; false if it is taken.
-    pub fn take_bank(&mut self, slot: usize, address: u32) -> bool {
-        let bank = 1 << (address & self.bank_mask);
-        if self.busy[slot] & bank != 0 {
+    /// Whether the bank of word `address` is free in slot `slot`.
+    pub fn is_free(&mut self, slot: usize, address: u32) -> bool {
+        let free = self.busy[slot] & self.bank(address) == 0;
+        if !free {
             self.counts.bank_conflicts += 1;
-            return false;
         }
-        self.busy[slot] |= bank;
-        true
+        free
+    }
+
+    /// Takes the bank of word `address` in slot `slot`, for an access that is served.
+    pub fn take(&mut self, slot: usize, address: u32) {
+        self.busy[slot] |= self.bank(address);
+    }
+
+    fn bank(&self, address: u32) -> u64 {
+        1 << (address & self.bank_mask)
     }
 
     /// Whether `line` is held.

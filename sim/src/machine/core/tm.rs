@@ -10,14 +10,14 @@
 //! that nothing asked for within a quantum arrives from there within it.
 
 use super::l1::{Access, L1};
-use super::outstanding::{UNKNOWN, Waiter};
+use super::outstanding::{Arrival, UNKNOWN, Waiter};
 use super::stats::ThreadCycles;
 use crate::machine::description::MachineDescription;
 use crate::machine::program::{COUNTER, Kind, MicroOp, PIPELINE, POOLS, Program, SCOREBOARD, UNLIMITED};
 use crate::unit_costs::Unit;
 
 /// Most cycles of a quantum.
-pub const QUANTUM: usize = 16;
+pub const QUANTUM: usize = 8;
 /// Entries of a scoreboard in memory; a power of two, so that no index needs a check.
 const ENTRIES: usize = SCOREBOARD.next_power_of_two();
 /// Pools in memory.
@@ -101,7 +101,7 @@ pub struct Tm {
 
 impl Tm {
     pub fn new(number: u16, machine: &MachineDescription) -> Self {
-        let mut units_full = [0; POOL_ENTRIES];
+        let mut units_full = [0u8; POOL_ENTRIES];
         for unit in Unit::ALL {
             units_full[unit as usize] = machine.units.pool(unit).count as u8;
         }
@@ -159,7 +159,7 @@ impl Tm {
     /// It is known now that `line` arrives in cycle `arrival`.
     pub fn arrives(&mut self, line: u32, arrival: u32) {
         let (threads, cycles) = (&mut self.threads, &mut self.cycles);
-        self.l1.arrives(line, arrival, |Waiter { thread, register }| {
+        self.l1.arrives(line, Arrival::from_memory(arrival), |Waiter { thread, register }| {
             let thread = &mut threads[usize::from(thread)];
             thread.ready[usize::from(register) % ENTRIES] = arrival;
             if thread.state == State::Parked {
@@ -209,7 +209,10 @@ impl Tm {
                 held = true;
             }
             let [a, b, c] = op.reads.map(|register| thread.ready[usize::from(register) % ENTRIES]);
-            let at = a.max(b).max(c);
+            let mut at = a.max(b).max(c);
+            if op.more_reads.1 != 0 {
+                at = at.max(thread.more_ready(program, op));
+            }
             if at > now {
                 if at == UNKNOWN {
                     thread.state = State::Parked;
@@ -371,8 +374,15 @@ impl Thread {
 
     #[cold]
     fn write_more(&mut self, program: &Program, op: &MicroOp, ready: u32) {
-        for &register in program.more_writes(op) {
+        for &register in program.kept(op.more_writes) {
             self.ready[usize::from(register) % ENTRIES] = ready;
         }
+    }
+
+    /// When the further registers can be used that an operation waits for.
+    fn more_ready(&self, program: &Program, op: &MicroOp) -> u32 {
+        let ready =
+            program.kept(op.more_reads).iter().map(|register| self.ready[usize::from(*register) % ENTRIES]);
+        ready.max().unwrap_or(0)
     }
 }

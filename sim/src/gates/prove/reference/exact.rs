@@ -26,7 +26,7 @@ fn fixed_bits(format: Format) -> usize {
     format.fraction_bits() as usize + (1 << (format.width() - 1 - format.fraction_bits())) - 2
 }
 
-/// Signed sum `a + b`, or `a - b`; rounding as in [`round`].
+/// Signed sum `a + b`, or `a - b`; `rounding` is the units' code of a direction.
 pub fn add(aig: &mut Aig, format: Format, a: &[Lit], b: &[Lit], subtract: Lit, rounding: &[Lit]) -> Vec<Lit> {
     let x = Parts::new(aig, format, a);
     let mut y = Parts::new(aig, format, b);
@@ -58,7 +58,7 @@ pub fn add(aig: &mut Aig, format: Format, a: &[Lit], b: &[Lit], subtract: Lit, r
     round(aig, format, sign, &magnitude, 0, infinity, nan, rounding)
 }
 
-/// Product; rounding as in [`round`].
+/// Product; `rounding` is the units' code of a direction.
 pub fn mul(aig: &mut Aig, format: Format, a: &[Lit], b: &[Lit], rounding: &[Lit]) -> Vec<Lit> {
     let (x, y) = (Parts::new(aig, format, a), Parts::new(aig, format, b));
     let (u, v) = (fixed(aig, format, &x), fixed(aig, format, &y));

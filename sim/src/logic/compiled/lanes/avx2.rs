@@ -58,6 +58,13 @@ operations! {
     signed_le_w(a: Word, b: Word) -> Bit = not_b(_mm256_cmpgt_epi32(a, b));
     select_w(select: Bit, when_true: Word, when_false: Word) -> Word =
         _mm256_blendv_epi8(when_false, when_true, select);
+    leading_zeros_w(a: Word) -> Word = {
+        // The exponent of the number as a float; without the bit below its leading one it is not rounded up to a power
+        // of two. A set top bit makes the float negative, and the difference with it.
+        let clear = _mm256_andnot_si256(_mm256_srli_epi32::<1>(a), a);
+        let exponent = _mm256_srli_epi32::<23>(_mm256_castps_si256(_mm256_cvtepi32_ps(clear)));
+        _mm256_max_epi32(_mm256_sub_epi32(word(158), exponent), word(0))
+    };
     mul_wide(a: Word, b: Word) -> Double = {
         // Products of the even lanes and of the odd ones, 64 bits each.
         let even = _mm256_mul_epu32(a, b);

@@ -15,7 +15,7 @@ macro_rules! operations {
     ($($name:ident($($operand:ident: $type:ty),*) -> $result:ty = $value:expr;)*) => { $(
         #[doc = concat!("See [`super`]: `", stringify!($value), "`.")]
         #[inline]
-        #[target_feature(enable = "avx512f,avx512bw,avx512dq")]
+        #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")]
         pub fn $name($($operand: $type),*) -> $result {
             $value
         }
@@ -26,7 +26,7 @@ macro_rules! constant_shifts {
     ($($name:ident = $intrinsic:ident;)*) => { $(
         #[doc = concat!("See [`super`]: `", stringify!($intrinsic), "`.")]
         #[inline]
-        #[target_feature(enable = "avx512f,avx512bw,avx512dq")]
+        #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")]
         pub fn $name<const N: u32>(a: Word) -> Word {
             $intrinsic::<N>(a)
         }
@@ -56,6 +56,7 @@ operations! {
     signed_le_w(a: Word, b: Word) -> Bit = _mm512_cmple_epi32_mask(a, b);
     select_w(select: Bit, when_true: Word, when_false: Word) -> Word =
         _mm512_mask_blend_epi32(select, when_false, when_true);
+    leading_zeros_w(a: Word) -> Word = _mm512_lzcnt_epi32(a);
     mul_wide(a: Word, b: Word) -> Double = {
         // Products of the even lanes and of the odd ones, 64 bits each.
         let even = _mm512_mul_epu32(a, b);
@@ -73,8 +74,8 @@ constant_shifts! {
     sar_const_w = _mm512_srai_epi32;
 }
 
-doubles_of_words! { #[target_feature(enable = "avx512f,avx512bw,avx512dq")] }
-derived_operations! { #[target_feature(enable = "avx512f,avx512bw,avx512dq")] }
+doubles_of_words! { #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")] }
+derived_operations! { #[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")] }
 
 /// Whether a bit is set in all lanes of a chunk.
 #[inline]
@@ -84,21 +85,21 @@ pub fn all_set(bits: Bits, _chunk: usize) -> bool {
 
 /// Reads a bit of each lane.
 #[inline]
-#[target_feature(enable = "avx512f,avx512bw,avx512dq")]
+#[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")]
 pub fn load_b<const N: usize>(bits: &[Bits; N], at: usize, _chunk: usize) -> Bit {
     bits[at].0
 }
 
 /// Writes a bit of each lane.
 #[inline]
-#[target_feature(enable = "avx512f,avx512bw,avx512dq")]
+#[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")]
 pub fn store_b<const N: usize>(bits: &mut [Bits; N], at: usize, _chunk: usize, value: Bit) {
     bits[at].0 = value;
 }
 
 /// Reads a word of each lane.
 #[inline]
-#[target_feature(enable = "avx512f,avx512bw,avx512dq")]
+#[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")]
 pub fn load_w<const N: usize>(rows: &[Row; N], at: usize, _chunk: usize) -> Word {
     // SAFETY: a row is as large as a vector and aligned like one.
     unsafe { _mm512_load_si512(std::ptr::from_ref(&rows[at]).cast()) }
@@ -106,7 +107,7 @@ pub fn load_w<const N: usize>(rows: &[Row; N], at: usize, _chunk: usize) -> Word
 
 /// Writes a word of each lane.
 #[inline]
-#[target_feature(enable = "avx512f,avx512bw,avx512dq")]
+#[target_feature(enable = "avx512f,avx512bw,avx512cd,avx512dq")]
 pub fn store_w<const N: usize>(rows: &mut [Row; N], at: usize, _chunk: usize, value: Word) {
     // SAFETY: as in `load_w`.
     unsafe { _mm512_store_si512(std::ptr::from_mut(&mut rows[at]).cast(), value) }

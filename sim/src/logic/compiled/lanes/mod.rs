@@ -8,7 +8,7 @@
 //!
 //! A set works on a chunk of the lanes at a time: all 16 with AVX-512, 8 with AVX2, one without either. Words are
 //! unsigned; sums, differences and products wrap around at 32 or 64 bits; a shift by the lane's width or more
-//! gives zero.
+//! gives zero. `leading_zeros_w` counts those of 32 bits, of which at least one is set.
 
 // Which operations the programs use depends on the hardware that they are made from.
 #[cfg(target_arch = "x86_64")]

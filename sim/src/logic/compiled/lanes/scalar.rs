@@ -39,6 +39,7 @@ operations! {
     mul_w(a: Word, b: Word) -> Word = a.wrapping_mul(b);
     shl_w(a: Word, b: Word) -> Word = a.checked_shl(b).unwrap_or(0);
     shr_w(a: Word, b: Word) -> Word = a.checked_shr(b).unwrap_or(0);
+    leading_zeros_w(a: Word) -> Word = a.leading_zeros();
     eq_w(a: Word, b: Word) -> Bit = a == b;
     ne_w(a: Word, b: Word) -> Bit = a != b;
     lt_w(a: Word, b: Word) -> Bit = a < b;

@@ -121,10 +121,6 @@ impl Channel {
         true
     }
 
-    pub fn is_reading(&self) -> bool {
-        !self.reads.is_empty()
-    }
-
     /// Issues at most one command at `clock` and sets `next`. Returns the line of a read that was issued, when its
     /// data are there, and who waits for them.
     pub fn command(&mut self, clock: u64) -> Option<(u64, u32, Vec<Requester>)> {
