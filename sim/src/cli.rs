@@ -365,6 +365,11 @@ pub struct PrecisionArgs {
     /// Width and height of the image in pixels.
     #[arg(long, default_value = "64x64", value_name = "WxH", value_parser = size)]
     pub size: [u32; 2],
+    /// Simulate the frame of the dual-split tree in each format on the machine.
+    #[arg(long, default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
+    pub simulate: bool,
+    #[command(flatten)]
+    pub machine: MachineArgs,
     /// The folder to write; one that this command made before is written anew [default: precision-SCENE].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -44,7 +44,7 @@ fn chart_precision() {
     );
     let csv = String::from_utf8(work.read("charts/precision.csv")).unwrap();
     assert_eq!(csv.lines().count(), 1 + points.len());
-    for chart in ["visits", "wrong-rays", "image-error", "energy", "front"] {
+    for chart in ["visits", "wrong-rays", "image-error", "frame-time", "energy", "front"] {
         let svg = String::from_utf8(work.read(&format!("charts/{chart}.svg"))).unwrap();
         assert!(svg.contains("conservative, 8 exponent bits"), "{svg}");
     }
@@ -106,7 +106,9 @@ fn needs() {
     assert!(document["significand_bits"].as_u64().unwrap() < 24);
     let toml = String::from_utf8(work.read("needs/needs.toml")).unwrap();
     assert!(toml.contains(&format!("significand_bits = {}", document["significand_bits"])), "{toml}");
-    // The export takes what is proposed.
+    // The machine and the export take what is proposed.
+    let machine = work.json("simulate --dump-config --machine needs/machine.toml");
+    assert_eq!(machine["name"], "scene-needs");
     let format = document["export_format"].as_str().unwrap();
     work.json(&format!("export --unit fp_add --format {format} --out rtl"));
     let naive = work.json("needs scene.obj --size 24x24 --variant naive --max-extra-visits 10 --out naive");

@@ -97,8 +97,10 @@ impl<'a> Aim<'a> {
     }
 
     fn towards(&mut self, target: [f32; 3]) -> Ray {
-        let size: [f32; 3] =
-            std::array::from_fn(|k| (self.bounds.max[k] - self.bounds.min[k]).max(f32::MIN_POSITIVE));
+        let extents: [f32; 3] = std::array::from_fn(|k| self.bounds.max[k] - self.bounds.min[k]);
+        let largest = extents.iter().fold(f32::MIN_POSITIVE, |m, x| m.max(*x));
+        // A flat mesh is seen from all sides too.
+        let size = extents.map(|x| if x > 0.0 { x } else { largest });
         let mut origin: [f32; 3] =
             std::array::from_fn(|k| self.bounds.min[k] + size[k] * (2.0 * self.random.uniform() - 0.5));
         match self.random.below(8) {
@@ -132,6 +134,12 @@ impl<'a> Aim<'a> {
             4 => origin = std::array::from_fn(|k| target[k] + (origin[k] - target[k]) * 1e4),
             // So that the difference is exact as far as the target's bits allow: from its cell of a coarse grid.
             5 => origin = std::array::from_fn(|k| f32::from_bits(origin[k].to_bits() & 0xffff_0000)),
+            // Almost in an axis plane through the target: the reciprocal is huge, or beyond all numbers.
+            6 => {
+                let axis = self.random.below(3);
+                let tiny = f32::from_bits((self.random.below(64) as u32) << 23 | 1);
+                origin[axis] = target[axis] + if self.random.below(2) == 0 { tiny } else { -tiny };
+            }
             _ => {}
         }
         Ray::new(origin, std::array::from_fn(|k| target[k] - origin[k]))

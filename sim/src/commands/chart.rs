@@ -10,6 +10,9 @@ use golden::structure::{Structure, StructureKind};
 use serde::Serialize;
 use sim::charts::cost::format_cost;
 use sim::charts::precision::{PrecisionPoint, Sweep, formats, mark_front};
+use sim::estimate::Method;
+use sim::machine::description::MachineDescription;
+use sim::machine::frame::{FrameMachine, MachineStructure};
 use sim::plot::{Axis, Chart, Point, Series, Style};
 
 #[derive(Serialize)]
@@ -49,6 +52,13 @@ fn precision(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
     // The pipeline is that of dual-split trees, whatever is traversed.
     let (dst, _) = built.convert(StructureKind::Dst)?;
     let rays = sweep.closest_rays(Variant::Naive.mode());
+    let machine = match args.simulate {
+        true => {
+            let description = MachineDescription::load(&args.machine.machine, &args.machine.settings)?;
+            Some(FrameMachine::new(&description, MachineStructure::Dst, Method::Published)?)
+        }
+        false => None,
+    };
     for format in formats {
         bar.set_message(format.to_string());
         let cost = match &dst {
@@ -56,10 +66,16 @@ fn precision(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
             _ => None,
         };
         for variant in Variant::ALL {
-            let point = sweep.point(Precision::new(format, variant))?;
+            let precision = Precision::new(format, variant);
+            let point = sweep.point(precision)?;
+            let frame_ms = match &machine {
+                Some(machine) => sweep.frame_ms(machine, precision)?,
+                None => None,
+            };
             points.push(PrecisionPoint {
                 area_um2: cost.as_ref().map(|cost| cost.area_um2),
                 energy_pj_per_ray: cost.as_ref().map(|cost| cost.energy_pj * point.node_visits_per_ray),
+                frame_ms,
                 ..point
             });
         }
@@ -154,6 +170,15 @@ fn charts(scene: &str, sweep: &Sweep<'_>, points: &[PrecisionPoint]) -> Vec<(&'s
             ),
         ),
         (
+            "frame-time",
+            chart(
+                "simulated frame time",
+                bits(),
+                Axis::log("ms"),
+                series(significand, &|p| p.frame_ms.unwrap_or(f64::NAN)),
+            ),
+        ),
+        (
             "energy",
             chart(
                 "energy of node steps against image error (none: at the left)",
@@ -199,6 +224,7 @@ fn text(document: &Document) -> String {
         "other distance",
         "RMSE",
         "differing pixels",
+        "frame ms",
         "area um2",
         "pJ/ray",
         "front",
@@ -218,6 +244,7 @@ fn text(document: &Document) -> String {
                 p.other_distance.to_string(),
                 format!("{:.3e}", p.rmse),
                 p.differing_pixels.to_string(),
+                p.frame_ms.map(|ms| fixed(ms, 4)).unwrap_or_default(),
                 p.area_um2.map(|area| fixed(area, 0)).unwrap_or_default(),
                 p.energy_pj_per_ray.map(|energy| fixed(energy, 1)).unwrap_or_default(),
                 if p.pareto { "*" } else { "" }.to_owned(),

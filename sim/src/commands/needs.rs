@@ -15,6 +15,7 @@ use golden::traverse::Trace;
 use hdl::catalogue::StandardFormat;
 use serde::Serialize;
 use sim::charts::precision::{PrecisionPoint, Sweep};
+use sim::machine::description::MachineDescription;
 use sim::needs::carves::CarveLevels;
 use sim::needs::knee;
 use sim::needs::memory::{DRAM_BYTES_PER_CYCLE, Traffic, multiprocessors_until_bound};
@@ -24,6 +25,10 @@ use std::ops::RangeInclusive;
 
 /// Cache sizes that are tried, as powers of two of bytes.
 const CACHE_LOG2_BYTES: RangeInclusive<u32> = 8..=22;
+/// The machine's caches have banks: none is smaller than this.
+const LEAST_CACHE_BYTES: u64 = 1 << 10;
+/// What a description may hold.
+const MOST_TMS: u32 = 1 << 12;
 /// Significands that are tried.
 const SIGNIFICAND_BITS: RangeInclusive<u32> = 4..=24;
 /// Exponents that are tried.
@@ -188,6 +193,7 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
         artifacts: vec![],
     };
     artifacts.write("needs.toml", toml_of(&document)?.as_bytes())?;
+    artifacts.write("machine.toml", machine(&document)?.to_toml().as_bytes())?;
     for (name, chart) in charts(&document) {
         artifacts.write(&format!("{name}.svg"), chart.svg().as_bytes())?;
     }
@@ -237,6 +243,20 @@ fn toml_of(d: &Document) -> anyhow::Result<String> {
         chip: ChipToml { tms: d.tms },
     };
     Ok(toml::to_string(&toml)?)
+}
+
+/// The preset machine with this cache and number of multiprocessors, for `dualsplit simulate --machine`.
+fn machine(d: &Document) -> anyhow::Result<MachineDescription> {
+    let preset = MachineDescription::load("trax", &[])?;
+    let partitions = preset.chip.l2_partitions;
+    let mut settings = vec![
+        format!("name=\"{}-needs\"", d.scene),
+        format!("l1.size={}", d.cache_bytes.max(LEAST_CACHE_BYTES)),
+    ];
+    let most = MOST_TMS / partitions;
+    settings
+        .extend(d.tms.map(|tms| format!("chip.tms_per_partition={}", tms.div_ceil(partitions).min(most))));
+    Ok(MachineDescription::load("trax", &settings)?)
 }
 
 fn charts(d: &Document) -> Vec<(&'static str, Chart)> {
@@ -333,6 +353,6 @@ fn text(d: &Document) -> String {
             ),
         ],
     );
-    text += &format!("\nneeds.toml and charts: {}\n", d.artifacts.join(", "));
+    text += &format!("\n{}\n", d.artifacts.join(", "));
     text
 }

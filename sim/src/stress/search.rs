@@ -87,3 +87,22 @@ fn neighbour(ray: &Ray, random: &mut Random) -> Ray {
     *component = nudged(*component, if random.below(2) == 0 { ulps } else { -ulps });
     ray
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use golden::stress::shapes::grid;
+
+    #[test]
+    fn the_walk_finds_boxes_that_fast_mode_misses_and_none_in_robust_mode() {
+        let mesh = grid(4);
+        let run = |name: &str| search(name.parse().unwrap(), ("grid", &mesh), 32, 200, 1).unwrap();
+        let (fast, worst) = run("dst/binary32-fast");
+        assert!(worst.unwrap().slack_ulps < 0.0 && fast.triangle_test > 0, "{fast:?} {worst:?}");
+        for safe in ["dst/binary32-robust", "bvh2/bfloat16-conservative"] {
+            let (cell, worst) = run(safe);
+            assert!(worst.unwrap().slack_ulps >= 0.0 && cell.rays > 100, "{cell:?} {worst:?}");
+            assert_eq!(cell.traversal_failures() + cell.false_misses, 0, "{cell:?}");
+        }
+    }
+}

@@ -17,10 +17,11 @@ pub use structure::{FrameMachine, MachineStructure};
 use super::core::{Counts, SimulationError, Tape, Work, simulate};
 use super::description::DescriptionError;
 use super::program::{ListingError, Program};
+use golden::precision::NarrowDst;
 use golden::render::{Pixel, PixelRenderer, RenderError, RenderOptions};
 use golden::structure::Structure;
 use names::Names;
-use recorder::Recorder;
+use recorder::{Recorder, Traced};
 use scenes::Scene;
 use std::sync::Mutex;
 
@@ -59,7 +60,7 @@ pub struct Frame {
 
 struct FrameWork<'a> {
     renderer: PixelRenderer<'a>,
-    structure: &'a Structure,
+    traced: Traced<'a>,
     width: u32,
     height: u32,
     names: Names,
@@ -81,7 +82,7 @@ impl Work for FrameWork<'_> {
     }
 
     fn record(&self, item: u32, tape: &mut Tape<'_>) {
-        let recorder = Recorder::new(self.structure, &self.names, &self.layout, tape);
+        let recorder = Recorder::new(self.traced, &self.names, &self.layout, tape);
         recorder.pixel(self.layout.pixels_at + item * Layout::PIXEL_WORDS);
         let pixel = self.renderer.pixel(&recorder, [item % self.width, item / self.width]);
         let totals = recorder.finish();
@@ -110,13 +111,48 @@ pub fn frame(
     pixels_done: impl FnMut(u32),
 ) -> Result<Frame, FrameError> {
     assert_eq!(structure.kind(), machine.structure.kind(), "the structure that the machine is set up for");
+    traced_frame(machine, scene, structure, Traced::Wide(structure), options, pixels_done)
+}
+
+/// [`frame`] through a dual-split tree in a narrower format, each of whose nodes takes the memory of one of `structure`, from
+/// which it was converted. The mode of `options` has to be that of the format's variant.
+///
+/// # Errors
+/// See [`FrameError`].
+///
+/// # Panics
+/// If the machine is set up for another structure, or `structure` was not built over the scene's mesh.
+pub fn narrow_frame(
+    machine: &FrameMachine,
+    scene: &Scene,
+    structure: &Structure,
+    narrow: &NarrowDst,
+    options: &RenderOptions,
+    pixels_done: impl FnMut(u32),
+) -> Result<Frame, FrameError> {
+    assert_eq!(
+        machine.structure,
+        MachineStructure::Dst,
+        "narrow formats are those of the dual-split pipeline"
+    );
+    traced_frame(machine, scene, structure, Traced::Narrow(narrow), options, pixels_done)
+}
+
+fn traced_frame(
+    machine: &FrameMachine,
+    scene: &Scene,
+    structure: &Structure,
+    traced: Traced<'_>,
+    options: &RenderOptions,
+    pixels_done: impl FnMut(u32),
+) -> Result<Frame, FrameError> {
     let renderer = PixelRenderer::new(scene, options)?;
     let pixels = options.width * options.height;
     let layout = Layout::new(structure, pixels, &machine.description)?;
     let program = machine.program()?;
     let work = FrameWork {
         renderer,
-        structure,
+        traced,
         width: options.width,
         height: options.height,
         names: Names::new(&program),

@@ -6,6 +6,7 @@ use super::triangle::{Side, Tests};
 use super::walk;
 use crate::machine::core::Tape;
 use crate::machine::program::{Conditions, EntryId};
+use golden::precision::NarrowDst;
 use golden::structure::Structure;
 use golden::traverse::{Trace, Traversal};
 use golden::triangle::{Triangle, TriangleHit};
@@ -20,9 +21,18 @@ pub struct Totals {
     pub triangle_tests: u64,
 }
 
+/// What rays are traced through.
+#[derive(Clone, Copy)]
+pub enum Traced<'a> {
+    /// In binary32.
+    Wide(&'a Structure),
+    /// A dual-split tree in a narrower format.
+    Narrow(&'a NarrowDst),
+}
+
 /// Traces through a golden structure by golden steps, and records what the program does.
 pub struct Recorder<'a, 'tape, 'words> {
-    structure: &'a Structure,
+    traced: Traced<'a>,
     state: Mutex<State<'a, 'tape, 'words>>,
 }
 
@@ -48,13 +58,13 @@ pub struct Query<'a> {
 
 impl<'a, 'tape, 'words> Recorder<'a, 'tape, 'words> {
     pub fn new(
-        structure: &'a Structure,
+        traced: Traced<'a>,
         names: &'a Names,
         layout: &'a Layout,
         tape: &'tape mut Tape<'words>,
     ) -> Self {
         let state = State { names, layout, tape, pending: None, totals: Totals::default() };
-        Self { structure, state: Mutex::new(state) }
+        Self { traced, state: Mutex::new(state) }
     }
 
     /// The pixel's address.
@@ -78,23 +88,28 @@ impl<'a, 'tape, 'words> Recorder<'a, 'tape, 'words> {
         let how = if any { state.names.lit } else { 0 };
         state.go_on(how);
         state.totals.rays += 1;
-        match self.structure {
-            Structure::Dst(dst) => {
+        match self.traced {
+            Traced::Narrow(dst) => {
+                let mut query = Query::new(ray, any, &dst.structure.triangles);
+                walk::narrow_dst(dst, &mut query, &mut state);
+                query.hit()
+            }
+            Traced::Wide(Structure::Dst(dst)) => {
                 let mut query = Query::new(ray, any, &dst.triangles);
                 walk::dst(dst, &mut query, &mut state);
                 query.hit()
             }
-            Structure::Bvh2(bvh) => {
+            Traced::Wide(Structure::Bvh2(bvh)) => {
                 let mut query = Query::new(ray, any, &bvh.triangles);
                 walk::bvh2(bvh, &mut query, &mut state);
                 query.hit()
             }
-            Structure::Bvh4(bvh) => {
+            Traced::Wide(Structure::Bvh4(bvh)) => {
                 let mut query = Query::new(ray, any, &bvh.triangles);
                 walk::wide(bvh, &mut query, &mut state);
                 query.hit()
             }
-            Structure::Bvh8(bvh) => {
+            Traced::Wide(Structure::Bvh8(bvh)) => {
                 let mut query = Query::new(ray, any, &bvh.triangles);
                 walk::wide(bvh, &mut query, &mut state);
                 query.hit()

@@ -2,10 +2,12 @@
 
 use super::recorder::{Query, State};
 use golden::build::MAX_DEPTH;
-use golden::bvh::{Bvh, Bvh2, BvhNode, INDEX, LEAF, box_step};
+use golden::bvh::{BoxStep, Bvh, Bvh2, BvhNode, INDEX, LEAF, box_step};
 use golden::dst::header::Header;
 use golden::dst::{Child, Code, Dst, step};
 use golden::fp::minimum_number;
+use golden::precision::NarrowDst;
+use golden::ray::PlaneDistances;
 
 /// The root's box; false, and the end of the ray, if it is missed.
 fn enter(
@@ -15,6 +17,10 @@ fn enter(
     leaf: bool,
 ) -> Option<[f32; 2]> {
     let test = box_step(root, query.ray, query.ray.t_min, query.ray.t_max);
+    entered(test, query, state, leaf)
+}
+
+fn entered(test: BoxStep, query: &Query<'_>, state: &mut State<'_, '_, '_>, leaf: bool) -> Option<[f32; 2]> {
     let names = state.names;
     if !test.hit {
         state.end(query, names.ray, names.root_missed);
@@ -24,11 +30,13 @@ fn enter(
     Some([test.t_entry, test.t_exit])
 }
 
-/// Takes entries from the stack until one begins before the best hit; the end of the ray if there is none.
+/// Takes entries from the stack until one begins before the best hit, which is at `nearest`; the end of the ray if there is
+/// none.
 fn pop<T: Copy>(
     stack: &mut Vec<T>,
     t_entry: impl Fn(&T) -> f32,
     is_leaf: impl Fn(&T) -> bool,
+    nearest: f32,
     query: &Query<'_>,
     state: &mut State<'_, '_, '_>,
 ) -> Option<T> {
@@ -38,7 +46,7 @@ fn pop<T: Copy>(
             state.end(query, names.pop, names.empty);
             return None;
         };
-        if t_entry(&next) > query.t_max {
+        if t_entry(&next) > nearest {
             state.event(names.pop, names.beyond);
             continue;
         }
@@ -49,7 +57,27 @@ fn pop<T: Copy>(
 
 /// A dual-split tree, node by node.
 pub fn dst(dst: &Dst, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
-    let Some([t_min, t_max]) = enter(query, state, &dst.root_box, false) else {
+    let ray = query.ray;
+    dst_of(dst, ray, [ray.t_min, ray.t_max], |t| t, query, state);
+}
+
+/// A dual-split tree in a narrower format, node by node.
+pub fn narrow_dst(dst: &NarrowDst, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
+    let ray = dst.ray(query.ray);
+    dst_of(&dst.structure, &ray, [ray.t_min, ray.t_max], |t| ray.limit(t), query, state);
+}
+
+/// `ray` is the query's in the format of the tree, and `limit` makes of the distance of a hit what intervals are compared with.
+fn dst_of(
+    dst: &Dst,
+    ray: &impl PlaneDistances,
+    [t_min, t_max]: [f32; 2],
+    limit: impl Fn(f32) -> f32,
+    query: &mut Query<'_>,
+    state: &mut State<'_, '_, '_>,
+) {
+    let root = box_step(&dst.root_box, ray, t_min, t_max);
+    let Some([t_min, t_max]) = entered(root, query, state, false) else {
         return;
     };
     let names = state.names;
@@ -57,10 +85,10 @@ pub fn dst(dst: &Dst, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
     let mut here = Child { offset: 0, t_min, t_max };
     loop {
         let words = dst.node(here.offset);
-        let outcome = step(words, query.ray, here.t_min, here.t_max);
+        let outcome = step(words, ray, here.t_min, here.t_max);
         state.tape.address(names.node_address, state.layout.nodes_at + here.offset);
         let conditions = if names.decodes {
-            decoding(words, query, here, outcome.code, state)
+            decoding(words, ray, here, outcome.code, state)
         } else {
             match outcome.code {
                 Code::Miss => names.missed,
@@ -87,16 +115,23 @@ pub fn dst(dst: &Dst, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
             }
             Code::Miss => {}
         }
-        match pop(&mut stack, |entry| entry.t_min, |_| false, query, state) {
-            Some(next) => here = Child { t_max: minimum_number(next.t_max, query.t_max), ..next },
+        let nearest = limit(query.t_max);
+        match pop(&mut stack, |entry| entry.t_min, |_| false, nearest, query, state) {
+            Some(next) => here = Child { t_max: minimum_number(next.t_max, nearest), ..next },
             None => return,
         }
     }
 }
 
 /// The way through the software decoder.
-fn decoding(words: [u32; 3], query: &Query<'_>, here: Child, code: Code, state: &State<'_, '_, '_>) -> u32 {
-    let (names, ray) = (state.names, query.ray);
+fn decoding(
+    words: [u32; 3],
+    ray: &impl PlaneDistances,
+    here: Child,
+    code: Code,
+    state: &State<'_, '_, '_>,
+) -> u32 {
+    let names = state.names;
     let carved = |leaf: bool| match (code, leaf) {
         (Code::Miss, _) => 0,
         (_, true) => names.carve_leaf,
@@ -176,7 +211,7 @@ pub fn bvh2(bvh: &Bvh2, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
                 (false, false) => {}
             }
         }
-        match pop(&mut stack, |entry| entry.1, |_| false, query, state) {
+        match pop(&mut stack, |entry| entry.1, |_| false, query.t_max, query, state) {
             Some((next, _)) => word = next,
             None => return,
         }
@@ -198,7 +233,7 @@ pub fn wide<const N: usize>(bvh: &Bvh<N>, query: &mut Query<'_>, state: &mut Sta
         } else {
             children(bvh.children(word), INDEX.get(word), &mut stack, query, state);
         }
-        match pop(&mut stack, |entry| entry.1, |entry| LEAF.get(entry.0) == 1, query, state) {
+        match pop(&mut stack, |entry| entry.1, |entry| LEAF.get(entry.0) == 1, query.t_max, query, state) {
             Some((next, _)) => word = next,
             None => return,
         }
