@@ -45,8 +45,17 @@ mod lanes {
             unsafe { _mm_movemask_ps(self.0) as u32 }
         }
         #[inline(always)]
-        pub fn xxyy(x: f32, y: f32) -> Self {
-            unsafe { Self(_mm_shuffle_ps::<0>(_mm_set_ss(x), _mm_set_ss(y))) }
+        pub fn xxyy(xy: &[f32; 2]) -> Self {
+            let xy = Self::pairs(xy, &[0.0; 2]);
+            xy.interleave_low(xy)
+        }
+        #[inline(always)]
+        pub fn negated(self) -> Self {
+            unsafe { Self(_mm_xor_ps(_mm_set1_ps(-0.0), self.0)) }
+        }
+        #[inline(always)]
+        pub fn w(self) -> f32 {
+            unsafe { _mm_cvtss_f32(_mm_shuffle_ps::<0b11_11_11_11>(self.0, self.0)) }
         }
         #[inline(always)]
         pub fn to_array(self) -> [f32; 4] {
@@ -101,10 +110,6 @@ mod lanes {
         #[inline(always)]
         pub fn yzwx(self) -> Self {
             unsafe { Self(_mm_shuffle_ps::<0b00_11_10_01>(self.0, self.0)) }
-        }
-        #[inline(always)]
-        pub fn yxwz(self) -> Self {
-            unsafe { Self(_mm_shuffle_ps::<0b10_11_00_01>(self.0, self.0)) }
         }
         #[inline(always)]
         pub fn or(self, mask: Self) -> Self {
@@ -182,8 +187,16 @@ mod lanes {
             (0..4).map(|i| u32::from(self.0[i].is_sign_negative()) << i).sum()
         }
         #[inline(always)]
-        pub fn xxyy(x: f32, y: f32) -> Self {
-            Self([x, x, y, y])
+        pub fn xxyy([x, y]: &[f32; 2]) -> Self {
+            Self([*x, *x, *y, *y])
+        }
+        #[inline(always)]
+        pub fn negated(self) -> Self {
+            Self(self.0.map(|x| -x))
+        }
+        #[inline(always)]
+        pub fn w(self) -> f32 {
+            self.0[3]
         }
         #[inline(always)]
         pub fn to_array(self) -> [f32; 4] {
@@ -240,11 +253,6 @@ mod lanes {
         pub fn yzwx(self) -> Self {
             let [x, y, z, w] = self.0;
             Self([y, z, w, x])
-        }
-        #[inline(always)]
-        pub fn yxwz(self) -> Self {
-            let [x, y, z, w] = self.0;
-            Self([y, x, w, z])
         }
         #[inline(always)]
         pub fn or(self, mask: Self) -> Self {

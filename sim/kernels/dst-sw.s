@@ -1,997 +1,969 @@
 main:                           #: start
-    addiu $sp, $sp, -2592
-    sdc1 $f30, 2584($sp)
-    sdc1 $f28, 2576($sp)
-    sdc1 $f26, 2568($sp)
-    sdc1 $f24, 2560($sp)
-    sdc1 $f22, 2552($sp)
-    sdc1 $f20, 2544($sp)
-    sw $ra, 2540($sp)
-    sw $fp, 2536($sp)
-    sw $23, 2532($sp)
-    sw $22, 2528($sp)
-    sw $21, 2524($sp)
-    sw $20, 2520($sp)
-    sw $19, 2516($sp)
-    sw $18, 2512($sp)
-    sw $17, 2508($sp)
-    sw $16, 2504($sp)
-    addiu $20, $zero, 0
-    LOAD $2, $20, 1             #: parameters
-    LOAD $4, $20, 8             #: parameters
-    LOAD $3, $20, 9             #: parameters
-    sw $3, 60($sp)
+    addiu $sp, $sp, -2560
+    sdc1 $f30, 2552($sp)
+    sdc1 $f28, 2544($sp)
+    sdc1 $f26, 2536($sp)
+    sdc1 $f24, 2528($sp)
+    sdc1 $f22, 2520($sp)
+    sdc1 $f20, 2512($sp)
+    sw $ra, 2508($sp)
+    sw $fp, 2504($sp)
+    sw $23, 2500($sp)
+    sw $22, 2496($sp)
+    sw $21, 2492($sp)
+    sw $20, 2488($sp)
+    sw $19, 2484($sp)
+    sw $18, 2480($sp)
+    sw $17, 2476($sp)
+    sw $16, 2472($sp)
+    addiu $ra, $zero, 0
+    LOAD $2, $ra, 1             #: parameters
+    LOAD $4, $ra, 8             #: parameters
+    LOAD $3, $ra, 9             #: parameters
+    sw $3, 32($sp)
     ATOMIC_INC $3, 0
     slt $1, $3, $2
-    beqz $1, $BB0_65            #: no_more
-    sw $2, 12($sp)
+    beqz $1, $BB0_67            #: no_more
+    sw $2, 4($sp)
     lwc1 $f0, %gp_rel($CPI0_0)($gp)
     lui $1, 32767
     addiu $9, $zero, 1
     lui $13, 1024
-    lui $16, 2048
-    lui $17, 57344
-    lui $18, 8192
+    lui $24, 2048
     ori $8, $1, 65535
     lui $1, 1023
-    swc1 $f0, 8($sp)
+    swc1 $f0, 0($sp)
     lwc1 $f0, %gp_rel($CPI0_1)($gp)
-    swc1 $f0, 96($sp)
-    mtc1 $zero, $f0
-    swc1 $f0, 4($sp)
+    swc1 $f0, 68($sp)
     lwc1 $f0, %gp_rel($CPI0_2)($gp)
-    swc1 $f0, 32($sp)
+    swc1 $f0, 12($sp)
     j $BB0_4
     ori $12, $1, 65535
 $BB0_2:
-    lwc1 $f1, 28($sp)
-    lwc1 $f2, 24($sp)
-    lwc1 $f3, 20($sp)
+    lwc1 $f4, 80($sp)
+    lwc1 $f6, 76($sp)
+    lwc1 $f5, 72($sp)
 $BB0_3:
-    lw $2, 16($sp)
+    lw $2, 8($sp)
     sll $1, $2, 1
     addu $2, $1, $2
-    LOAD $3, $20, 7             #: parameters
+    LOAD $3, $ra, 7             #: parameters
     addu $2, $3, $2
-    STORE $f3, $2, 0            #: pixel
-    STORE $f2, $2, 1            #: pixel
-    STORE $f1, $2, 2            #: pixel
+    STORE $f5, $2, 0            #: pixel
+    STORE $f6, $2, 1            #: pixel
+    STORE $f4, $2, 2            #: pixel
     ATOMIC_INC $3, 0
-    lw $1, 12($sp)
+    lw $1, 4($sp)
     slt $1, $3, $1
-    beqz $1, $BB0_65            #: no_more
+    beqz $1, $BB0_67            #: no_more
     nop
 $BB0_4:
     mtc1 $3, $f0
-    sw $3, 16($sp)
-    LOAD $f2, $20, 3            #: parameters
+    sw $3, 8($sp)
+    LOAD $f4, $ra, 3            #: parameters
     cvt.s.w $f0, $f0
-    mul.s $f2, $f2, $f0
-    trunc.w.s $f2, $f2
-    mfc1 $1, $f2
-    mtc1 $1, $f2
-    LOAD $f3, $20, 4            #: parameters
-    LOAD $f6, $20, 19           #: parameters
-    LOAD $f7, $20, 22           #: parameters
-    LOAD $f8, $20, 25           #: parameters
-    lwc1 $f1, 8($sp)
-    LOAD $f10, $20, 20          #: parameters
-    LOAD $f11, $20, 23          #: parameters
-    LOAD $f12, $20, 26          #: parameters
-    cvt.s.w $f2, $f2
-    add.s $f9, $f2, $f1
-    mul.s $f2, $f3, $f2
-    sub.s $f0, $f0, $f2
-    mul.s $f12, $f9, $f12
-    mul.s $f8, $f9, $f8
-    add.s $f0, $f0, $f1
-    mul.s $f2, $f0, $f11
-    mul.s $f7, $f7, $f0
-    add.s $f2, $f10, $f2
-    add.s $f6, $f6, $f7
-    add.s $f6, $f8, $f6
-    add.s $f2, $f2, $f12
-    LOAD $f8, $20, 21           #: parameters
-    mul.s $f3, $f2, $f2
-    mul.s $f7, $f6, $f6
-    add.s $f3, $f7, $f3
-    LOAD $f7, $20, 24           #: parameters
-    mul.s $f0, $f0, $f7
-    LOAD $f10, $20, 27          #: parameters
-    mul.s $f9, $f9, $f10
-    LOAD $f1, $20, 16           #: parameters
-    LOAD $f13, $20, 17          #: parameters
-    LOAD $f14, $20, 18          #: parameters
-    lui $1, 16256
-    sw $1, 116($sp)
-    sw $zero, 112($sp)
-    sw $zero, 108($sp)
-    sw $zero, 104($sp)
-    LOAD $2, $20, 2             #: parameters
-    sw $2, 40($sp)
-    add.s $f0, $f8, $f0
-    add.s $f0, $f0, $f9
-    mul.s $f7, $f0, $f0
-    add.s $f3, $f3, $f7
-    FPINVSQRT $f3, $f3
-    mul.s $f4, $f3, $f0
-    lwc1 $f0, 4($sp)
-    mul.s $f10, $f2, $f3
-    mul.s $f7, $f6, $f3
-    swc1 $f0, 28($sp)
-    swc1 $f0, 24($sp)
-    swc1 $f0, 20($sp)
-    lwc1 $f0, 96($sp)
-    swc1 $f0, 76($sp)
-$BB0_5:
-    lwc1 $f30, 32($sp)
-    addiu $21, $zero, 1
-$BB0_6:                         #: ray
+    mul.s $f4, $f4, $f0
+    trunc.w.s $f4, $f4
     mfc1 $1, $f4
-    mfc1 $2, $f10
-    addiu $10, $zero, 2
-    addiu $5, $sp, 104
-    swc1 $f7, 72($sp)
-    swc1 $f10, 68($sp)
-    swc1 $f4, 64($sp)
-    swc1 $f1, 100($sp)
-    and $1, $1, $8
-    and $2, $2, $8
-    mtc1 $1, $f0
-    mfc1 $1, $f7
-    mtc1 $2, $f3
-    addiu $2, $zero, 1
-    and $1, $1, $8
-    mtc1 $1, $f2
-    addiu $1, $zero, 1
-    c.ule.s $f2, $f0
-    movt $1, $zero, $fcc0
-    c.ule.s $f2, $f3
-    movt $2, $zero, $fcc0
-    c.ule.s $f3, $f0
-    lwc1 $f0, 96($sp)
-    div.s $f19, $f0, $f10
-    div.s $f20, $f0, $f7
-    div.s $f21, $f0, $f4
-    and $1, $2, $1
+    mtc1 $1, $f4
+    LOAD $f5, $ra, 4            #: parameters
+    LOAD $f6, $ra, 19           #: parameters
+    LOAD $f7, $ra, 22           #: parameters
+    lwc1 $f1, 0($sp)
+    LOAD $f9, $ra, 25           #: parameters
+    LOAD $f10, $ra, 20          #: parameters
+    LOAD $f11, $ra, 23          #: parameters
+    LOAD $f12, $ra, 26          #: parameters
+    cvt.s.w $f4, $f4
+    add.s $f8, $f4, $f1
+    mul.s $f4, $f5, $f4
+    sub.s $f0, $f0, $f4
+    mul.s $f12, $f8, $f12
+    mul.s $f9, $f8, $f9
+    add.s $f0, $f0, $f1
+    mul.s $f4, $f0, $f11
+    mul.s $f7, $f7, $f0
+    add.s $f4, $f10, $f4
+    add.s $f6, $f6, $f7
+    LOAD $f7, $ra, 21           #: parameters
+    add.s $f11, $f9, $f6
+    add.s $f4, $f4, $f12
+    mul.s $f5, $f4, $f4
+    mul.s $f6, $f11, $f11
+    add.s $f5, $f6, $f5
+    LOAD $f6, $ra, 24           #: parameters
+    mul.s $f0, $f0, $f6
+    LOAD $f9, $ra, 27           #: parameters
+    mul.s $f8, $f8, $f9
+    LOAD $f1, $ra, 16           #: parameters
+    swc1 $f1, 64($sp)
+    add.s $f0, $f7, $f0
+    add.s $f0, $f0, $f8
+    mul.s $f6, $f0, $f0
+    add.s $f8, $f5, $f6
+    LOAD $f6, $ra, 17           #: parameters
+    LOAD $f7, $ra, 18           #: parameters
+    lui $1, 16256
+    sw $1, 84($sp)
+    FPINVSQRT $f8, $f8
+    mul.s $f3, $f8, $f0
+    mul.s $f10, $f4, $f8
+    mul.s $f5, $f11, $f8
+    sw $zero, 80($sp)
+    sw $zero, 76($sp)
+    sw $zero, 72($sp)
+    LOAD $2, $ra, 2             #: parameters
+    lwc1 $f0, 68($sp)
+    sw $2, 16($sp)
+    swc1 $f0, 48($sp)
+$BB0_5:
+    lwc1 $f22, 12($sp)
+    addiu $17, $zero, 1
+$BB0_6:                         #: ray
+    mfc1 $1, $f3
+    mfc1 $3, $f10
     addiu $2, $zero, 2
-    movf $2, $9, $fcc0
-    addiu $3, $2, -1
-    movn $2, $zero, $1
-    movn $3, $10, $1
-    mfc1 $10, $f19
-    mfc1 $11, $f20
-    addiu $6, $2, 1
-    xori $7, $2, 2
-    mfc1 $14, $f21
+    addiu $18, $sp, 72
+    swc1 $f5, 44($sp)
+    swc1 $f10, 40($sp)
+    swc1 $f3, 36($sp)
+    and $1, $1, $8
+    and $3, $3, $8
+    mtc1 $1, $f0
+    mfc1 $1, $f5
+    mtc1 $3, $f12
+    addiu $3, $zero, 1
+    and $1, $1, $8
+    mtc1 $1, $f11
+    addiu $1, $zero, 1
+    c.ule.s $f11, $f0
+    movt $1, $zero, $fcc0
+    c.ule.s $f11, $f12
+    movt $3, $zero, $fcc0
+    c.ule.s $f12, $f0
+    lwc1 $f0, 68($sp)
+    div.s $f12, $f0, $f10
+    div.s $f13, $f0, $f5
+    div.s $f14, $f0, $f3
+    and $1, $3, $1
+    addiu $3, $zero, 2
+    movf $3, $9, $fcc0
+    addiu $5, $3, -1
+    movn $3, $zero, $1
+    movn $5, $2, $1
+    mfc1 $10, $f12
+    mfc1 $11, $f13
+    addiu $6, $3, 1
+    xori $7, $3, 2
+    mfc1 $14, $f14
     movz $6, $zero, $7
     addiu $11, $11, 4
     addiu $10, $10, 4
-    mtc1 $10, $f22
-    mtc1 $11, $f23
-    sll $7, $2, 1
+    mtc1 $10, $f15
+    mtc1 $11, $f16
+    sll $7, $3, 1
+    sll $15, $5, 1
     addiu $14, $14, 4
-    sll $15, $3, 1
     sll $1, $6, 2
-    addu $22, $7, $2
-    sll $2, $2, 2
-    sll $10, $3, 2
-    addu $fp, $15, $3
-    addu $7, $1, $5
+    addu $19, $7, $3
+    sll $10, $5, 2
+    sll $3, $3, 2
+    addu $21, $15, $5
+    addu $7, $1, $18
     sll $1, $6, 1
-    addu $2, $2, $5
-    addu $5, $10, $5
-    addu $23, $1, $6
-    mtc1 $14, $f24
-    addiu $ra, $5, 28
-    addiu $6, $7, 16
-    addiu $5, $5, 16
-    addiu $3, $7, 28
-    addiu $1, $2, 28
-    addiu $2, $2, 16
-    sw $6, 56($sp)
-    sw $5, 52($sp)
-    sw $1, 80($sp)
-    sw $2, 48($sp)
+    addu $10, $10, $18
+    addu $3, $3, $18
+    addu $20, $1, $6
+    mtc1 $14, $f17
+    addiu $2, $7, 16
+    addiu $5, $10, 16
+    addiu $22, $10, 28
+    addiu $23, $7, 28
+    addiu $1, $3, 28
+    addiu $3, $3, 16
+    sw $2, 28($sp)
+    sw $5, 24($sp)
+    sw $1, 52($sp)
+    sw $3, 20($sp)
 $BB0_7:
-    swc1 $f14, 140($sp)
+    lwc1 $f1, 64($sp)
+    swc1 $f17, 156($sp)
+    swc1 $f15, 152($sp)
+    swc1 $f16, 148($sp)
+    swc1 $f14, 144($sp)
+    swc1 $f12, 140($sp)
     swc1 $f13, 136($sp)
-    swc1 $f1, 132($sp)
-    swc1 $f4, 128($sp)
-    mov.s $f4, $f1
-    swc1 $f10, 124($sp)
-    swc1 $f7, 120($sp)
-    lwc1 $f0, 0($6)
-    lwc1 $f2, 0($5)
-    lwc1 $f3, 0($2)
-    LOAD $f6, $20, 40           #: parameters
-    LOAD $f7, $20, 41           #: parameters
-    LOAD $f8, $20, 42           #: parameters
-    LOAD $f10, $20, 43          #: parameters
-    LOAD $f26, $20, 44          #: parameters
-    LOAD $f27, $20, 45          #: parameters
-    sub.s $f6, $f6, $f1
-    sub.s $f26, $f26, $f13
-    sub.s $f8, $f8, $f14
-    sub.s $f27, $f27, $f14
-    mtc1 $zero, $f1
-    sub.s $f10, $f10, $f4
-    mul.s $f9, $f23, $f6
-    mul.s $f28, $f22, $f26
-    mul.s $f6, $f20, $f6
-    mul.s $f25, $f23, $f10
-    FPMAX $f9, $f9, $f25
-    mul.s $f10, $f20, $f10
-    FPMIN $f6, $f6, $f10
-    sub.s $f25, $f7, $f13
-    mul.s $f10, $f19, $f26
-    mul.s $f7, $f22, $f25
-    FPMAX $f7, $f7, $f28
-    mul.s $f28, $f24, $f27
-    FPMIN $f7, $f9, $f7
-    mul.s $f9, $f24, $f8
-    mul.s $f8, $f21, $f8
-    FPMAX $f9, $f9, $f28
-    FPMIN $f9, $f9, $f30
-    FPMIN $f7, $f7, $f9
-    mul.s $f9, $f19, $f25
-    FPMIN $f9, $f9, $f10
-    FPMAX $f6, $f6, $f9
-    mul.s $f9, $f21, $f27
-    FPMIN $f8, $f8, $f9
-    FPMAX $f8, $f8, $f1
-    FPMAX $f29, $f6, $f8
-    c.ule.s $f29, $f7
-    bc1f $BB0_58                #: root_missed
+    swc1 $f7, 108($sp)
+    swc1 $f6, 104($sp)
+    mtc1 $zero, $f11
+    swc1 $f1, 100($sp)
+    swc1 $f3, 96($sp)
+    swc1 $f10, 92($sp)
+    swc1 $f5, 88($sp)
+    lwc1 $f18, 0($3)
+    lwc1 $f20, 0($2)
+    lwc1 $f19, 0($5)
+    LOAD $f0, $ra, 40           #: parameters
+    LOAD $f21, $ra, 41          #: parameters
+    LOAD $f23, $ra, 42          #: parameters
+    LOAD $f25, $ra, 43          #: parameters
+    LOAD $f27, $ra, 44          #: parameters
+    LOAD $f28, $ra, 45          #: parameters
+    sub.s $f0, $f0, $f1
+    sub.s $f25, $f25, $f1
+    sub.s $f21, $f21, $f6
+    sub.s $f27, $f27, $f6
+    sub.s $f23, $f23, $f7
+    sub.s $f28, $f28, $f7
+    mul.s $f24, $f16, $f0
+    mul.s $f26, $f16, $f25
+    mul.s $f0, $f13, $f0
+    mul.s $f25, $f13, $f25
+    mul.s $f29, $f15, $f27
+    FPMAX $f24, $f24, $f26
+    mul.s $f26, $f15, $f21
+    mul.s $f21, $f12, $f21
+    FPMIN $f0, $f0, $f25
+    mul.s $f25, $f12, $f27
+    FPMAX $f26, $f26, $f29
+    FPMIN $f21, $f21, $f25
+    FPMIN $f24, $f24, $f26
+    FPMAX $f0, $f0, $f21
+    mul.s $f29, $f17, $f28
+    mul.s $f26, $f17, $f23
+    mul.s $f21, $f14, $f23
+    mul.s $f23, $f14, $f28
+    FPMAX $f26, $f26, $f29
+    FPMIN $f21, $f21, $f23
+    FPMIN $f26, $f26, $f22
+    FPMAX $f21, $f21, $f11
+    FPMIN $f24, $f24, $f26
+    FPMAX $f23, $f0, $f21
+    c.ule.s $f23, $f24
+    bc1f $BB0_60                #: root_missed
     nop
-    mov.s $f12, $f1
-    lwc1 $f1, 96($sp)
-    mov.s $f28, $f30
-    mov.s $f30, $f7
-    addiu $15, $zero, -1
-    addiu $24, $zero, 0
-    addiu $10, $zero, 0
-    div.s $f1, $f1, $f3
-    mul.s $f26, $f1, $f2
-    mul.s $f27, $f0, $f1
-    swc1 $f1, 92($sp)
-    lwc1 $f1, 100($sp)
+    lwc1 $f0, 68($sp)
+    mov.s $f21, $f22
+    mov.s $f22, $f24
+    addiu $6, $zero, -1
+    addiu $fp, $zero, 0
+    addiu $14, $zero, 0
+    div.s $f0, $f0, $f18
+    mul.s $f19, $f0, $f19
+    mul.s $f20, $f20, $f0
+    swc1 $f0, 60($sp)
 $BB0_9:
-    move $20, $19
-    move $5, $24
+    move $10, $25
+    move $16, $fp
 $BB0_10:
-    sll $1, $10, 2
-    sll $2, $10, 3
-    addiu $24, $sp, 200
-    negu $11, $10
-    addu $1, $2, $1
-    addu $14, $24, $1
+    sll $1, $14, 2
+    sll $3, $14, 3
+    addiu $fp, $sp, 168
+    negu $15, $14
+    addu $1, $3, $1
+    addu $11, $fp, $1
 $BB0_11:                        #: node
-    mov.s $f31, $f30
-    addu $2, $5, $4
-    LOAD $7, $2, 0              #: node
-    bltz $7, $BB0_21            #: carve
-    and $19, $7, $12
-    and $1, $7, $13
-    bnez $1, $BB0_33            #: bare_leaf
+    mov.s $f24, $f22
+    addu $3, $16, $4
+    LOAD $5, $3, 0              #: node
+    bltz $5, $BB0_21            #: carve
+    and $25, $5, $12
+    and $1, $5, $13
+    bnez $1, $BB0_35            #: bare_leaf
     nop
-    mov.s $f0, $f21
-    and $1, $7, $17
-    sltu $25, $7, $18
-    xor $6, $1, $18
-    srl $1, $7, 27
+    srl $1, $5, 27
+    andi $2, $1, 28
     andi $1, $1, 3
-    addu $5, $1, $19
-    LOAD $f6, $2, 1             #: node
-    LOAD $f2, $2, 2             #: node
-    movz.s $f0, $f19, $6
-    movn.s $f0, $f20, $25
-    c.olt.s $f0, $f12
-    bc1f $BB0_15                #: !swap
+    addu $2, $2, $18
+    addu $16, $1, $25
+    LOAD $f25, $3, 1            #: node
+    LOAD $f27, $3, 2            #: node
+    lwc1 $f28, 28($2)
+    lwc1 $f0, 64($2)
+    lwc1 $f22, 76($2)
+    sub.s $f26, $f25, $f28
+    c.olt.s $f0, $f11
+    bc1f $BB0_16                #: !swap
+    sub.s $f27, $f27, $f28
+    mul.s $f0, $f26, $f0
+    FPMAX $f25, $f23, $f0
+    move $3, $25
+    mul.s $f0, $f27, $f22
+    FPMIN $f22, $f24, $f0
+    c.ole.s $f23, $f22
+    bc1t $BB0_17                #: near
     nop
-    mov.s $f3, $f6
-    j $BB0_16
-    move $7, $19
-$BB0_15:
-    mov.s $f3, $f2
-    move $7, $5
-    mov.s $f2, $f6
-    move $5, $19
+    j $BB0_19
+    nop
 $BB0_16:
-    mov.s $f6, $f14
-    mov.s $f7, $f24
-    movz.s $f6, $f13, $6
-    movz.s $f7, $f22, $6
-    movn.s $f6, $f1, $25
-    movn.s $f7, $f23, $25
-    sub.s $f2, $f2, $f6
-    sub.s $f3, $f3, $f6
-    mul.s $f2, $f7, $f2
-    FPMIN $f30, $f31, $f2
-    c.ole.s $f29, $f30
-    mul.s $f0, $f0, $f3
-    FPMAX $f0, $f29, $f0
+    mul.s $f0, $f27, $f0
+    move $3, $16
+    move $16, $25
+    FPMAX $f25, $f23, $f0
+    mul.s $f0, $f26, $f22
+    FPMIN $f22, $f24, $f0
+    c.ole.s $f23, $f22
     bc1f $BB0_19                #: !near
     nop
-    c.ole.s $f0, $f31
+$BB0_17:
+    c.ole.s $f25, $f24
     bc1f $BB0_11                #: !far
     nop
-    sll $1, $10, 2
-    sll $2, $10, 3
-    addiu $14, $14, 12
-    addiu $11, $11, -1
-    addiu $10, $10, 1
+    sll $1, $14, 2
+    sll $2, $14, 3
+    addiu $11, $11, 12
+    addiu $15, $15, -1
+    addiu $14, $14, 1
     addu $1, $2, $1
-    addu $1, $24, $1
-    swc1 $f31, 8($1)
-    swc1 $f0, 4($1)
+    addu $1, $fp, $1
+    swc1 $f24, 8($1)
+    swc1 $f25, 4($1)
     j $BB0_11
-    sw $7, 0($1)
+    sw $3, 0($1)
 $BB0_19:
-    mov.s $f29, $f0
-    mov.s $f30, $f31
-    c.ole.s $f0, $f31
+    mov.s $f23, $f25
+    mov.s $f22, $f24
+    c.ole.s $f25, $f24
     bc1t $BB0_10                #: far
-    move $5, $7
-    move $19, $20
-    j $BB0_46
-    addiu $20, $zero, 0
+    move $16, $3
+    j $BB0_48
+    move $25, $10
 $BB0_21:
-    LOAD $f2, $2, 1             #: node
-    LOAD $f0, $2, 2             #: node
-    srl $1, $7, 29
-    andi $24, $1, 3
+    LOAD $f25, $3, 1            #: node
+    LOAD $f22, $3, 2            #: node
+    srl $fp, $5, 27
+    srl $3, $5, 29
+    andi $ra, $3, 3
     addiu $1, $zero, 2
-    bne $24, $1, $BB0_23        #: !single
+    bne $ra, $1, $BB0_24        #: !single
+    andi $7, $fp, 3
+    sll $1, $7, 2
+    addu $1, $1, $18
+    lwc1 $f27, 28($1)
+    lwc1 $f0, 64($1)
+    lwc1 $f26, 76($1)
+    sub.s $f25, $f25, $f27
+    c.olt.s $f0, $f11
+    bc1f $BB0_26                #: !swap
+    sub.s $f22, $f22, $f27
+    mul.s $f0, $f25, $f0
+    FPMAX $f23, $f23, $f0
+    addiu $ra, $zero, 0
+    mul.s $f0, $f22, $f26
+    FPMIN $f22, $f24, $f0
+    j $BB0_31
     nop
-    mov.s $f3, $f21
-    srl $1, $7, 27
-    mov.s $f7, $f14
-    mov.s $f6, $f0
-    lwc1 $f4, 100($sp)
-    mov.s $f1, $f12
-    andi $2, $1, 3
-    lwc1 $f1, 100($sp)
-    xor $6, $2, $9
-    movz.s $f3, $f19, $6
-    movz.s $f7, $f13, $6
-    movz.s $f3, $f20, $2
-    movz.s $f7, $f4, $2
-    c.olt.s $f3, $f12
-    movt.s $f6, $f2, $fcc0
-    c.olt.s $f3, $f12
-    movt.s $f2, $f0, $fcc0
-    sub.s $f6, $f6, $f7
-    sub.s $f0, $f2, $f7
-    mov.s $f2, $f24
-    mul.s $f6, $f3, $f6
-    FPMAX $f29, $f29, $f6
-    movz.s $f2, $f22, $6
-    movz.s $f2, $f23, $2
-    mul.s $f0, $f2, $f0
-    FPMIN $f30, $f31, $f0
-    j $BB0_29
+$BB0_24:
+    srl $1, $ra, 1
+    sll $1, $1, 2
+    addu $ra, $1, $18
+    lwc1 $f26, 28($ra)
+    lwc1 $f0, 64($ra)
+    mfc1 $2, $f0
+    srl $1, $2, 31
+    srl $2, $7, 1
+    bne $1, $2, $BB0_27         #: entry0
+    sub.s $f25, $f25, $f26
+    lwc1 $f0, 76($ra)
+    addiu $ra, $zero, 0
+    mul.s $f0, $f25, $f0
+    FPMIN $f24, $f24, $f0
+    j $BB0_28
     nop
-$BB0_23:
-    mov.s $f3, $f20
-    addiu $1, $zero, 3
-    mov.s $f6, $f1
-    addiu $6, $zero, 1
-    xor $2, $24, $1
-    lui $1, 4096
-    and $1, $7, $1
-    srl $1, $1, 28
-    movz.s $f3, $f19, $2
-    movz.s $f6, $f13, $2
-    c.olt.s $f3, $f12
-    movt $6, $zero, $fcc0
-    beq $1, $6, $BB0_25         #: entry0
-    sub.s $f2, $f2, $f6
-    mov.s $f3, $f23
-    movz.s $f3, $f22, $2
-    mul.s $f2, $f3, $f2
-    FPMIN $f31, $f31, $f2
-    j $BB0_26
-    nop
-$BB0_25:
-    mul.s $f2, $f3, $f2
-    FPMAX $f29, $f29, $f2
 $BB0_26:
-    mov.s $f2, $f21
-    mov.s $f3, $f14
-    addiu $2, $zero, 1
-    and $1, $7, $16
-    srl $1, $1, 27
-    movz.s $f2, $f19, $24
-    movz.s $f3, $f13, $24
-    c.olt.s $f2, $f12
-    movt $2, $zero, $fcc0
-    beq $1, $2, $BB0_28         #: entry1
-    sub.s $f0, $f0, $f3
-    mov.s $f2, $f24
-    movz.s $f2, $f22, $24
-    mul.s $f0, $f2, $f0
-    FPMIN $f30, $f31, $f0
-    j $BB0_29
+    mul.s $f0, $f22, $f0
+    FPMAX $f23, $f23, $f0
+    addiu $ra, $zero, 0
+    mul.s $f0, $f25, $f26
+    FPMIN $f22, $f24, $f0
+    j $BB0_31
     nop
+$BB0_27:
+    addiu $ra, $zero, 0
+    mul.s $f0, $f0, $f25
+    FPMAX $f23, $f23, $f0
 $BB0_28:
-    mov.s $f30, $f31
-    mul.s $f0, $f2, $f0
-    FPMAX $f29, $f29, $f0
-$BB0_29:
-    c.ule.s $f29, $f30
-    and $1, $7, $13
-    move $24, $19
-    movz $19, $20, $1
-    srl $1, $1, 23
-    movf $24, $5, $fcc0
-    movf $19, $20, $fcc0
-    c.ule.s $f29, $f30
-    xori $2, $1, 8
-    addiu $1, $zero, 10
-    movf $2, $1, $fcc0
-    addiu $1, $zero, 8
-    beq $2, $1, $BB0_9          #: carve_on
+    andi $1, $3, 1
+    andi $2, $fp, 1
+    sll $1, $1, 2
+    addu $3, $18, $1
+    lwc1 $f0, 32($3)
+    sub.s $f0, $f22, $f0
+    lwc1 $f22, 68($3)
+    mfc1 $7, $f22
+    srl $1, $7, 31
+    bne $1, $2, $BB0_30         #: entry1
+    nop
+    lwc1 $f22, 80($3)
+    mul.s $f0, $f0, $f22
+    FPMIN $f22, $f24, $f0
+    j $BB0_31
     nop
 $BB0_30:
-    beqz $2, $BB0_33            #: carve_leaf
-    nop
+    mul.s $f0, $f22, $f0
+    mov.s $f22, $f24
+    FPMAX $f23, $f23, $f0
 $BB0_31:
+    c.ule.s $f23, $f22
+    and $1, $5, $13
+    move $fp, $25
+    movz $25, $10, $1
+    srl $1, $1, 23
+    movf $fp, $16, $fcc0
+    movf $25, $10, $fcc0
+    c.ule.s $f23, $f22
+    xori $3, $1, 8
     addiu $1, $zero, 10
-    bne $2, $1, $BB0_49         #: never
+    movf $3, $1, $fcc0
+    addiu $1, $zero, 8
+    beq $3, $1, $BB0_9          #: carve_on
     nop
 $BB0_32:
-    j $BB0_46
-    addiu $20, $zero, 0
+    beqz $3, $BB0_35            #: carve_leaf
+    nop
 $BB0_33:
-    sll $1, $19, 1
-    sll $2, $19, 3
-    addu $1, $2, $1
-    lw $2, 60($sp)
-    addu $19, $1, $2
-    lw $1, 80($sp)
-    lwc1 $f29, 0($1)
-    j $BB0_35
-    addiu $20, $zero, 0
+    addiu $1, $zero, 10
+    beq $3, $1, $BB0_48         #: always
+    nop
 $BB0_34:
-    and $1, $10, $16
-    bnez $1, $BB0_45            #: last
-    addiu $19, $19, 10
-$BB0_35:                        #: triangle
-    addu $2, $23, $19
-    lwc1 $f0, 0($3)
-    lwc1 $f6, 0($ra)
-    LOAD $f2, $2, 0             #: row0
-    LOAD $f3, $2, 1             #: row0
-    LOAD $f7, $2, 2             #: row0
-    lwc1 $f8, %gp_rel($CPI0_3)($gp)
-    addu $2, $fp, $19
-    LOAD $f10, $2, 0            #: row1
-    LOAD $f9, $2, 1             #: row1
-    LOAD $f30, $2, 2            #: row1
-    addu $2, $22, $19
-    LOAD $f31, $2, 0            #: row2
-    LOAD $f11, $2, 1            #: row2
-    sub.s $f3, $f3, $f0
-    sub.s $f7, $f7, $f0
-    sub.s $f16, $f2, $f0
-    sub.s $f0, $f11, $f29
-    LOAD $f15, $2, 2            #: row2
-    sub.s $f10, $f10, $f6
-    sub.s $f17, $f9, $f6
-    sub.s $f6, $f30, $f6
-    lwc1 $f9, %gp_rel($CPI0_4)($gp)
-    mul.s $f2, $f27, $f0
-    mfc1 $7, $f3
-    mfc1 $1, $f16
-    mul.s $f25, $f26, $f0
-    mfc1 $10, $f10
-    mfc1 $5, $f17
-    mfc1 $2, $f7
-    and $24, $1, $8
-    and $5, $5, $8
-    and $10, $10, $8
+    j $BB0_51
+    nop
+$BB0_35:
+    sll $1, $25, 1
+    sll $2, $25, 3
+    addu $1, $2, $1
+    lw $2, 32($sp)
+    addu $25, $1, $2
+    lw $1, 52($sp)
+    lwc1 $f22, 0($1)
+    j $BB0_37
+    nop
+$BB0_36:
+    and $1, $10, $24
+    bnez $1, $BB0_47            #: last
+    addiu $25, $25, 10
+$BB0_37:                        #: triangle
+    addu $2, $20, $25
+    lwc1 $f0, 0($22)
+    lwc1 $f23, 0($23)
+    LOAD $f24, $2, 0            #: row0
+    LOAD $f25, $2, 1            #: row0
+    LOAD $f26, $2, 2            #: row0
+    lwc1 $f29, %gp_rel($CPI0_3)($gp)
+    addu $2, $21, $25
+    LOAD $f28, $2, 0            #: row1
+    LOAD $f27, $2, 1            #: row1
+    LOAD $f2, $2, 2             #: row1
+    addu $2, $19, $25
+    sub.s $f9, $f27, $f0
+    LOAD $f4, $2, 0             #: row2
+    sub.s $f27, $f4, $f22
+    sub.s $f31, $f26, $f23
+    sub.s $f8, $f25, $f23
+    LOAD $f26, $2, 1            #: row2
+    sub.s $f25, $f26, $f22
+    sub.s $f23, $f24, $f23
+    LOAD $f30, $2, 2            #: row2
+    sub.s $f26, $f30, $f22
+    lwc1 $f30, %gp_rel($CPI0_4)($gp)
+    mul.s $f4, $f20, $f27
+    mul.s $f24, $f20, $f25
+    mul.s $f18, $f19, $f25
+    mfc1 $1, $f23
+    mfc1 $7, $f8
+    mfc1 $3, $f9
+    mfc1 $2, $f31
+    and $14, $1, $8
+    and $3, $3, $8
     and $2, $2, $8
-    mtc1 $5, $f1
-    mfc1 $5, $f6
-    sub.s $f11, $f3, $f2
-    sub.s $f3, $f31, $f29
-    sub.s $f2, $f15, $f29
-    sub.s $f17, $f17, $f25
-    mtc1 $10, $f31
-    mul.s $f15, $f27, $f3
-    mul.s $f30, $f27, $f2
-    mfc1 $6, $f11
-    sub.s $f15, $f16, $f15
-    mul.s $f16, $f26, $f3
-    sub.s $f7, $f7, $f30
-    mul.s $f30, $f26, $f2
-    sub.s $f10, $f10, $f16
-    mfc1 $1, $f15
-    sub.s $f6, $f6, $f30
-    mul.s $f18, $f17, $f7
+    mtc1 $3, $f10
+    sub.s $f4, $f23, $f4
+    sub.s $f24, $f8, $f24
+    sub.s $f8, $f28, $f0
+    sub.s $f0, $f2, $f0
+    mul.s $f2, $f19, $f27
+    sub.s $f9, $f9, $f18
+    mul.s $f23, $f20, $f26
+    mfc1 $1, $f4
+    mfc1 $5, $f24
+    mfc1 $10, $f8
+    sub.s $f2, $f8, $f2
+    mfc1 $3, $f0
     and $1, $1, $8
-    mtc1 $1, $f16
-    and $1, $6, $8
-    and $6, $7, $8
-    mfc1 $25, $f10
-    mtc1 $1, $f4
-    mfc1 $1, $f17
-    mul.s $f30, $f15, $f6
-    mfc1 $7, $f6
-    and $25, $25, $8
-    and $1, $1, $8
-    and $7, $7, $8
-    mtc1 $25, $f5
-    mtc1 $1, $f25
-    FPMAX $f4, $f16, $f4
-    FPMAX $f1, $f31, $f1
-    LOAD $10, $19, 9            #: triangle
-    mul.s $f31, $f11, $f6
-    mul.s $f6, $f15, $f17
-    mtc1 $24, $f16
-    FPMAX $f5, $f5, $f25
-    mul.s $f25, $f10, $f7
-    mul.s $f10, $f10, $f11
-    mtc1 $7, $f11
-    mfc1 $1, $f7
-    and $1, $1, $8
-    sub.s $f7, $f18, $f31
-    mtc1 $1, $f15
+    and $10, $10, $8
+    mtc1 $1, $f8
     and $1, $5, $8
-    mfc1 $5, $f3
-    sub.s $f30, $f30, $f25
-    sub.s $f31, $f10, $f6
-    mtc1 $1, $f17
-    FPMAX $f4, $f4, $f15
-    FPMAX $f5, $f5, $f11
-    FPMAX $f1, $f1, $f17
-    FPMIN $f18, $f7, $f30
-    mtc1 $6, $f15
-    mtc1 $2, $f11
-    FPMAX $f17, $f7, $f30
-    and $5, $5, $8
-    mfc1 $1, $f0
-    mtc1 $5, $f6
+    mtc1 $10, $f28
+    and $5, $7, $8
+    mtc1 $1, $f1
+    mfc1 $1, $f9
+    mfc1 $16, $f2
     and $1, $1, $8
-    mtc1 $1, $f10
-    FPMAX $f6, $f6, $f10
-    mfc1 $1, $f2
+    and $16, $16, $8
+    mtc1 $1, $f18
+    FPMAX $f1, $f8, $f1
+    FPMAX $f8, $f28, $f10
+    mul.s $f28, $f19, $f26
+    mtc1 $16, $f3
+    LOAD $10, $25, 9            #: triangle
+    mtc1 $14, $f10
+    FPMAX $f3, $f3, $f18
+    sub.s $f18, $f31, $f23
+    sub.s $f0, $f0, $f28
+    mul.s $f5, $f9, $f18
+    mfc1 $1, $f18
+    mul.s $f23, $f2, $f18
+    mul.s $f2, $f2, $f24
     and $1, $1, $8
-    mtc1 $1, $f10
-    FPMAX $f4, $f4, $f5
-    FPMAX $f5, $f16, $f15
-    FPMAX $f10, $f6, $f10
-    FPMAX $f1, $f1, $f10
-    FPMAX $f5, $f5, $f11
-    FPMAX $f6, $f17, $f31
-    FPMAX $f1, $f5, $f1
-    mul.s $f5, $f1, $f9
-    FPMIN $f9, $f18, $f31
-    mul.s $f1, $f1, $f8
-    add.s $f4, $f5, $f4
-    mul.s $f10, $f1, $f4
-    c.ule.s $f6, $f10
-    bc1t $BB0_37                #: negative
-    neg.s $f8, $f10
-    c.olt.s $f9, $f8
-    bc1t $BB0_34                #: outside
+    mul.s $f28, $f24, $f0
+    mfc1 $7, $f0
+    mul.s $f31, $f4, $f0
+    mul.s $f0, $f4, $f9
+    and $7, $7, $8
+    mtc1 $7, $f4
+    sub.s $f28, $f5, $f28
+    mtc1 $1, $f5
+    and $1, $3, $8
+    mfc1 $3, $f27
+    sub.s $f23, $f31, $f23
+    sub.s $f24, $f2, $f0
+    mtc1 $1, $f9
+    FPMAX $f1, $f1, $f5
+    FPMAX $f3, $f3, $f4
+    FPMAX $f4, $f8, $f9
+    FPMIN $f18, $f28, $f23
+    mtc1 $5, $f8
+    mtc1 $2, $f5
+    FPMAX $f9, $f28, $f23
+    and $3, $3, $8
+    mfc1 $1, $f25
+    mtc1 $3, $f0
+    and $1, $1, $8
+    mtc1 $1, $f2
+    FPMAX $f0, $f0, $f2
+    mfc1 $1, $f26
+    and $1, $1, $8
+    mtc1 $1, $f2
+    FPMAX $f0, $f0, $f2
+    FPMAX $f1, $f1, $f3
+    FPMAX $f31, $f9, $f24
+    FPMAX $f2, $f10, $f8
+    FPMAX $f0, $f4, $f0
+    FPMAX $f2, $f2, $f5
+    FPMAX $f0, $f2, $f0
+    mul.s $f2, $f0, $f30
+    mul.s $f0, $f0, $f29
+    FPMIN $f30, $f18, $f24
+    add.s $f1, $f2, $f1
+    mul.s $f0, $f0, $f1
+    c.ule.s $f31, $f0
+    bc1t $BB0_39                #: negative
+    neg.s $f29, $f0
+    c.olt.s $f30, $f29
+    bc1t $BB0_36                #: outside
     nop
-$BB0_37:
-    c.ole.s $f9, $f10
-    bc1f $BB0_40                #: positive
+$BB0_39:
+    c.ole.s $f30, $f0
+    bc1f $BB0_42                #: positive
     nop
-    c.ult.s $f6, $f8
-    bc1t $BB0_40                #: !exact
+    c.ult.s $f31, $f29
+    bc1t $BB0_42                #: !exact
     nop
-    EXACT $f7, $f30, $f31, $f3
-$BB0_40:
-    mul.s $f1, $f7, $f3
-    mul.s $f0, $f0, $f30
-    mul.s $f2, $f2, $f31
-    add.s $f0, $f0, $f1
-    add.s $f1, $f30, $f7
+    EXACT $f28, $f23, $f24, $f27
+$BB0_42:
+    mul.s $f0, $f28, $f27
+    mul.s $f1, $f25, $f23
+    mul.s $f2, $f26, $f24
+    add.s $f0, $f1, $f0
+    add.s $f1, $f23, $f28
     add.s $f0, $f2, $f0
-    LOAD $f2, $19, 0            #: triangle
-    LOAD $f3, $19, 1            #: triangle
-    LOAD $f4, $19, 2            #: triangle
-    LOAD $f5, $19, 3            #: triangle
-    LOAD $f6, $19, 4            #: triangle
-    lwc1 $f7, 92($sp)
-    add.s $f1, $f31, $f1
-    FPMIN $f15, $f5, $f6
-    FPMIN $f11, $f2, $f3
-    FPMAX $f5, $f5, $f6
+    LOAD $f2, $25, 0            #: triangle
+    LOAD $f3, $25, 1            #: triangle
+    LOAD $f4, $25, 2            #: triangle
+    LOAD $f5, $25, 3            #: triangle
+    LOAD $f8, $25, 4            #: triangle
+    lwc1 $f9, 60($sp)
+    add.s $f1, $f24, $f1
+    FPMIN $f27, $f5, $f8
+    FPMIN $f26, $f2, $f3
+    FPMAX $f5, $f5, $f8
     FPMAX $f2, $f2, $f3
-    FPMIN $f11, $f11, $f4
+    FPMIN $f26, $f26, $f4
     FPMAX $f2, $f2, $f4
-    mul.s $f7, $f7, $f0
-    lwc1 $f0, 96($sp)
-    div.s $f0, $f0, $f1
-    LOAD $f1, $19, 5            #: triangle
-    FPMIN $f15, $f15, $f1
-    LOAD $f8, $19, 6            #: triangle
-    LOAD $f9, $19, 7            #: triangle
-    LOAD $f10, $19, 8           #: triangle
-    lwc1 $f17, 100($sp)
-    FPMAX $f6, $f8, $f9
+    mul.s $f0, $f9, $f0
+    lwc1 $f9, 68($sp)
+    div.s $f25, $f9, $f1
+    LOAD $f1, $25, 5            #: triangle
+    FPMIN $f27, $f27, $f1
+    LOAD $f9, $25, 6            #: triangle
+    LOAD $f10, $25, 7           #: triangle
+    LOAD $f18, $25, 8           #: triangle
+    lwc1 $f29, 64($sp)
+    FPMAX $f8, $f9, $f10
     FPMAX $f1, $f5, $f1
-    sub.s $f15, $f15, $f13
-    FPMAX $f6, $f6, $f10
-    sub.s $f1, $f1, $f13
-    sub.s $f2, $f2, $f17
-    sub.s $f11, $f11, $f17
-    sub.s $f6, $f6, $f14
-    mul.s $f4, $f22, $f15
-    mul.s $f5, $f22, $f1
+    sub.s $f27, $f27, $f6
+    FPMAX $f8, $f8, $f18
+    sub.s $f1, $f1, $f6
+    sub.s $f2, $f2, $f29
+    sub.s $f26, $f26, $f29
+    sub.s $f8, $f8, $f7
+    mul.s $f4, $f15, $f27
+    mul.s $f5, $f15, $f1
     FPMAX $f4, $f4, $f5
-    mul.s $f3, $f23, $f2
-    mul.s $f16, $f23, $f11
-    mul.s $f2, $f20, $f2
-    mul.s $f1, $f19, $f1
-    FPMIN $f5, $f8, $f9
-    FPMAX $f3, $f16, $f3
-    mul.s $f8, $f24, $f6
-    FPMIN $f5, $f5, $f10
+    mul.s $f3, $f16, $f2
+    mul.s $f28, $f16, $f26
+    mul.s $f2, $f13, $f2
+    mul.s $f1, $f12, $f1
+    FPMIN $f5, $f9, $f10
+    FPMAX $f3, $f28, $f3
+    mul.s $f9, $f17, $f8
+    FPMIN $f5, $f5, $f18
     FPMIN $f3, $f3, $f4
-    sub.s $f5, $f5, $f14
-    mul.s $f4, $f24, $f5
-    FPMAX $f4, $f4, $f8
-    mul.s $f8, $f20, $f11
+    sub.s $f5, $f5, $f7
+    mul.s $f4, $f17, $f5
+    FPMAX $f4, $f4, $f9
+    mul.s $f9, $f13, $f26
     FPMIN $f3, $f3, $f4
-    FPMIN $f2, $f8, $f2
-    mul.s $f4, $f19, $f15
+    FPMIN $f2, $f9, $f2
+    mul.s $f4, $f12, $f27
     FPMIN $f1, $f4, $f1
     FPMAX $f1, $f2, $f1
-    mul.s $f2, $f21, $f5
-    mul.s $f4, $f21, $f6
+    mul.s $f2, $f14, $f5
+    mul.s $f4, $f14, $f8
     FPMIN $f2, $f2, $f4
     FPMAX $f1, $f1, $f2
     c.ule.s $f1, $f3
-    mul.s $f7, $f0, $f7
-    FPMAX $f2, $f7, $f1
-    FPMIN $f2, $f2, $f3
-    bc1f $BB0_34                #: box_empty
+    mul.s $f0, $f25, $f0
+    FPMAX $f0, $f0, $f1
+    FPMIN $f26, $f0, $f3
+    bc1f $BB0_36                #: box_empty
     nop
-    c.olt.s $f2, $f12
-    bc1t $BB0_34                #: behind
+    c.olt.s $f26, $f11
+    bc1t $BB0_36                #: behind
     nop
-    c.ule.s $f2, $f28
-    bc1f $BB0_34                #: farther
+    c.ule.s $f26, $f21
+    bc1f $BB0_36                #: farther
     nop
-    mul.s $f1, $f31, $f0
-    mul.s $f0, $f30, $f0
-    mov.s $f28, $f2
-    andi $1, $21, 1
-    move $15, $19
-    swc1 $f1, 152($sp)
-    swc1 $f1, 88($sp)
-    swc1 $f0, 84($sp)
-    bnez $1, $BB0_34            #: !any
-    swc1 $f0, 148($sp)
-    j $BB0_54
+    mul.s $f0, $f24, $f25
+    mov.s $f21, $f26
+    andi $1, $17, 1
+    move $6, $25
+    swc1 $f0, 120($sp)
+    mul.s $f0, $f23, $f25
+    swc1 $f0, 56($sp)
+    bnez $1, $BB0_36            #: !any
+    swc1 $f0, 116($sp)
+    j $BB0_56
     nop
-$BB0_45:
-    lwc1 $f1, 100($sp)
-    addiu $19, $19, -10
-$BB0_46:                        #: pop
-    addiu $11, $11, 1
-    beq $11, $9, $BB0_50        #: empty
+$BB0_47:
+    addiu $25, $25, -10
+$BB0_48:                        #: pop
+    addiu $15, $15, 1
+    beq $15, $9, $BB0_52        #: empty
     nop
-    lwc1 $f29, -8($14)
-    addiu $2, $14, -12
-    c.ule.s $f29, $f28
-    bc1f $BB0_46                #: beyond
-    move $14, $2
-    lw $24, 0($2)
-    lwc1 $f0, 8($2)
-    negu $10, $11
-    FPMIN $f30, $f0, $f28
+    lwc1 $f23, -8($11)
+    addiu $3, $11, -12
+    c.ule.s $f23, $f21
+    bc1f $BB0_48                #: beyond
+    move $11, $3
+    lw $fp, 0($3)
+    lwc1 $f0, 8($3)
+    negu $14, $15
+    FPMIN $f22, $f0, $f21
     j $BB0_9
     nop
-$BB0_49:
-    lwc1 $f7, 72($sp)
-    lwc1 $f10, 68($sp)
-    lwc1 $f4, 64($sp)
-    lw $6, 56($sp)
-    lw $5, 52($sp)
-    lw $2, 48($sp)
+$BB0_51:
+    lwc1 $f5, 44($sp)
+    lwc1 $f10, 40($sp)
+    lwc1 $f3, 36($sp)
+    lw $2, 28($sp)
+    lw $5, 24($sp)
+    lw $3, 20($sp)
     j $BB0_7
-    addiu $20, $zero, 0
-$BB0_50:
-    andi $1, $21, 1
-    beqz $1, $BB0_55            #: any
     nop
-    bltz $15, $BB0_63           #: nothing
+$BB0_52:
+    andi $1, $17, 1
+    beqz $1, $BB0_57            #: any
     nop
-    LOAD $f1, $15, 0            #: hit
-    LOAD $f0, $15, 1            #: hit
-    LOAD $f5, $15, 2            #: hit
-    mfc1 $2, $f0
-    sub.s $f4, $f0, $f1
-    lwc1 $f20, 76($sp)
-    lwc1 $f19, 84($sp)
-    lwc1 $f2, %gp_rel($CPI0_5)($gp)
-    sub.s $f6, $f5, $f1
-    LOAD $f0, $15, 3            #: hit
-    LOAD $f7, $15, 4            #: hit
-    sub.s $f8, $f7, $f0
-    LOAD $f9, $15, 5            #: hit
-    lwc1 $f18, 88($sp)
-    LOAD $f14, $15, 6           #: hit
-    LOAD $f15, $15, 7           #: hit
-    LOAD $f16, $15, 8           #: hit
-    sub.s $f11, $f9, $f0
-    sub.s $f17, $f16, $f14
-    mfc1 $3, $f0
-    mul.s $f20, $f20, $f2
+    bltz $6, $BB0_65            #: nothing
+    nop
+    LOAD $f0, $6, 0             #: hit
+    LOAD $f1, $6, 1             #: hit
+    LOAD $f2, $6, 2             #: hit
+    LOAD $f3, $6, 3             #: hit
+    LOAD $f4, $6, 4             #: hit
+    lwc1 $f22, 48($sp)
+    LOAD $f8, $6, 5             #: hit
+    lwc1 $f17, 56($sp)
+    sub.s $f6, $f1, $f0
+    LOAD $f12, $6, 6            #: hit
+    LOAD $f13, $6, 7            #: hit
+    mfc1 $7, $f1
+    mfc1 $2, $f3
+    sub.s $f20, $f8, $f3
+    sub.s $f7, $f4, $f3
+    sub.s $f9, $f2, $f0
+    sub.s $f14, $f13, $f12
+    mfc1 $3, $f2
+    mfc1 $5, $f0
+    lwc1 $f5, %gp_rel($CPI0_5)($gp)
+    LOAD $f1, $6, 8             #: hit
+    sub.s $f18, $f1, $f12
+    lwc1 $f15, 120($sp)
+    mfc1 $1, $f4
     and $2, $2, $8
-    mfc1 $1, $f9
-    lwc1 $f9, 64($sp)
-    mtc1 $2, $f21
-    mfc1 $2, $f1
     and $3, $3, $8
-    mul.s $f2, $f4, $f19
-    mul.s $f3, $f6, $f18
-    and $5, $1, $8
-    mfc1 $1, $f7
-    mul.s $f13, $f8, $f19
-    and $2, $2, $8
-    and $1, $1, $8
-    swc1 $f20, 116($sp)
-    mtc1 $1, $f7
-    add.s $f10, $f1, $f2
-    mul.s $f2, $f11, $f18
-    mtc1 $3, $f1
-    add.s $f13, $f0, $f13
-    mul.s $f0, $f17, $f18
-    sub.s $f18, $f15, $f14
-    FPMAX $f1, $f1, $f7
-    mtc1 $5, $f7
-    lui $5, 32768
-    FPMAX $f1, $f1, $f7
-    add.s $f3, $f10, $f3
-    lwc1 $f10, %gp_rel($CPI0_6)($gp)
-    mul.s $f19, $f18, $f19
-    add.s $f2, $f13, $f2
-    mul.s $f13, $f6, $f8
-    mul.s $f6, $f6, $f18
-    mul.s $f8, $f8, $f17
-    add.s $f19, $f14, $f19
-    add.s $f0, $f19, $f0
-    mul.s $f19, $f4, $f11
-    mul.s $f4, $f4, $f17
-    sub.s $f4, $f6, $f4
-    mul.s $f6, $f11, $f18
-    sub.s $f13, $f19, $f13
+    and $5, $5, $8
+    and $6, $7, $8
+    mul.s $f22, $f22, $f5
+    lwc1 $f5, %gp_rel($CPI0_6)($gp)
     mtc1 $2, $f19
-    mfc1 $2, $f5
-    lwc1 $f5, 68($sp)
-    and $2, $2, $8
-    sub.s $f6, $f8, $f6
-    lwc1 $f8, 72($sp)
-    mul.s $f5, $f5, $f4
-    mul.s $f9, $f9, $f13
-    mul.s $f8, $f8, $f6
-    add.s $f5, $f8, $f5
-    FPMAX $f8, $f19, $f21
-    add.s $f5, $f9, $f5
-    mfc1 $3, $f5
-    mfc1 $1, $f14
-    mul.s $f5, $f13, $f13
     and $1, $1, $8
-    mtc1 $1, $f7
-    mfc1 $1, $f15
+    mul.s $f2, $f7, $f17
+    mul.s $f10, $f6, $f17
+    mul.s $f21, $f6, $f20
+    mul.s $f16, $f9, $f14
+    mul.s $f17, $f14, $f17
+    mul.s $f14, $f20, $f14
+    mtc1 $1, $f4
+    mul.s $f6, $f6, $f18
+    FPMAX $f4, $f19, $f4
+    mul.s $f19, $f9, $f7
+    mul.s $f7, $f7, $f18
+    swc1 $f22, 84($sp)
+    mfc1 $1, $f8
+    add.s $f0, $f0, $f10
+    add.s $f2, $f3, $f2
+    mtc1 $5, $f3
+    lui $5, 32768
+    mul.s $f10, $f20, $f15
+    sub.s $f6, $f16, $f6
+    lwc1 $f16, 40($sp)
     and $1, $1, $8
-    mtc1 $1, $f9
-    FPMAX $f7, $f7, $f9
-    mfc1 $1, $f16
+    sub.s $f7, $f7, $f14
+    lwc1 $f14, 44($sp)
+    sub.s $f19, $f21, $f19
+    mtc1 $1, $f8
+    FPMAX $f4, $f4, $f8
+    mtc1 $6, $f21
+    mul.s $f8, $f9, $f15
+    lwc1 $f9, 36($sp)
+    mfc1 $1, $f12
+    add.s $f12, $f12, $f17
+    mtc1 $3, $f17
+    mul.s $f15, $f18, $f15
+    add.s $f2, $f2, $f10
+    mul.s $f16, $f16, $f6
+    and $2, $1, $8
+    mul.s $f14, $f14, $f7
+    mul.s $f9, $f9, $f19
+    add.s $f0, $f0, $f8
+    add.s $f14, $f14, $f16
+    add.s $f9, $f9, $f14
+    mfc1 $3, $f9
+    mul.s $f14, $f19, $f19
+    mfc1 $1, $f13
     mtc1 $2, $f9
     and $2, $3, $5
     and $1, $1, $8
-    mtc1 $1, $f11
-    FPMAX $f7, $f7, $f11
-    FPMAX $f1, $f1, $f7
-    FPMAX $f7, $f8, $f9
-    mul.s $f8, $f4, $f4
+    mtc1 $1, $f13
+    FPMAX $f9, $f9, $f13
+    mfc1 $1, $f1
+    mul.s $f13, $f7, $f7
+    and $1, $1, $8
+    mtc1 $1, $f1
+    FPMAX $f3, $f3, $f21
+    FPMAX $f1, $f9, $f1
     mul.s $f9, $f6, $f6
-    add.s $f8, $f9, $f8
-    add.s $f5, $f5, $f8
-    FPINVSQRT $f5, $f5
-    mfc1 $3, $f5
-    xor $1, $3, $2
-    xor $2, $1, $5
-    FPMAX $f1, $f7, $f1
-    mtc1 $2, $f5
-    mul.s $f6, $f6, $f5
-    mul.s $f8, $f13, $f5
-    mul.s $f4, $f4, $f5
-    mul.s $f1, $f1, $f10
-    swc1 $f8, 164($sp)
-    swc1 $f4, 160($sp)
-    swc1 $f6, 156($sp)
-    mul.s $f5, $f6, $f1
-    add.s $f5, $f5, $f3
-    LOAD $f3, $20, 28           #: parameters
-    swc1 $f6, 44($sp)
-    sub.s $f7, $f3, $f5
-    mov.s $f9, $f5
+    FPMAX $f3, $f3, $f17
+    FPMAX $f1, $f4, $f1
+    FPMAX $f1, $f3, $f1
+    add.s $f3, $f12, $f15
+    mul.s $f1, $f1, $f5
+    add.s $f9, $f13, $f9
+    add.s $f9, $f14, $f9
+    FPINVSQRT $f9, $f9
+    mfc1 $3, $f9
+    xor $2, $3, $2
+    xor $2, $2, $5
+    mtc1 $2, $f4
+    mul.s $f8, $f19, $f4
+    mul.s $f9, $f6, $f4
+    mul.s $f4, $f7, $f4
+    swc1 $f8, 132($sp)
+    swc1 $f9, 128($sp)
     mul.s $f5, $f4, $f1
+    swc1 $f4, 124($sp)
+    add.s $f5, $f5, $f0
+    LOAD $f0, $ra, 28           #: parameters
+    swc1 $f5, 64($sp)
+    sub.s $f5, $f0, $f5
+    mul.s $f0, $f4, $f5
+    mul.s $f4, $f9, $f1
     mul.s $f1, $f8, $f1
-    add.s $f13, $f5, $f2
-    LOAD $f2, $20, 29           #: parameters
-    add.s $f14, $f1, $f0
-    mul.s $f3, $f6, $f7
-    LOAD $f0, $20, 30           #: parameters
-    sub.s $f10, $f2, $f13
-    mul.s $f2, $f4, $f10
-    sub.s $f4, $f0, $f14
-    add.s $f2, $f3, $f2
-    mul.s $f0, $f8, $f4
-    add.s $f0, $f2, $f0
-    c.ule.s $f0, $f12
-    bc1t $BB0_61                #: !lit
+    add.s $f6, $f4, $f2
+    LOAD $f2, $ra, 29           #: parameters
+    add.s $f7, $f1, $f3
+    LOAD $f1, $ra, 30           #: parameters
+    sub.s $f10, $f2, $f6
+    sub.s $f3, $f1, $f7
+    mul.s $f2, $f9, $f10
+    mul.s $f1, $f8, $f3
+    add.s $f0, $f0, $f2
+    add.s $f0, $f0, $f1
+    c.ule.s $f0, $f11
+    bc1t $BB0_63                #: !lit
     nop
     lwc1 $f1, %gp_rel($CPI0_7)($gp)
-    mul.s $f2, $f7, $f7
-    lwc1 $f30, %gp_rel($CPI0_1)($gp)
-    swc1 $f20, 76($sp)
-    addiu $21, $zero, 0
-    mul.s $f1, $f20, $f1
+    mul.s $f2, $f5, $f5
+    swc1 $f22, 48($sp)
+    addiu $17, $zero, 0
+    mul.s $f1, $f22, $f1
+    lwc1 $f22, %gp_rel($CPI0_1)($gp)
     mul.s $f0, $f1, $f0
     mul.s $f1, $f10, $f10
     add.s $f1, $f2, $f1
-    mul.s $f2, $f4, $f4
+    mul.s $f2, $f3, $f3
     add.s $f1, $f1, $f2
     FPINVSQRT $f1, $f1
     mul.s $f0, $f0, $f1
     mul.s $f0, $f1, $f0
     mul.s $f0, $f1, $f0
-    mov.s $f1, $f9
-    swc1 $f0, 36($sp)
     j $BB0_6
-    swc1 $f0, 144($sp)
-$BB0_54:
-    lwc1 $f1, 100($sp)
-    move $15, $19
-$BB0_55:
-    lwc1 $f20, 76($sp)
-    bltz $15, $BB0_59           #: nothing
+    swc1 $f0, 112($sp)
+$BB0_56:
+    move $6, $25
+$BB0_57:
+    lwc1 $f22, 48($sp)
+    bltz $6, $BB0_61            #: nothing
     nop
-    lw $3, 40($sp)
-    bnez $3, $BB0_60            #: !last_bounce
+    lw $3, 16($sp)
+    bnez $3, $BB0_62            #: !last_bounce
     nop
     j $BB0_2
     nop
-$BB0_58:
-    lwc1 $f20, 76($sp)
-    andi $1, $21, 1
-    bnez $1, $BB0_64            #: !any
-    nop
-$BB0_59:
-    LOAD $f0, $20, 31           #: parameters
-    lwc1 $f1, 36($sp)
-    lwc1 $f2, 20($sp)
-    mul.s $f0, $f1, $f0
-    add.s $f2, $f2, $f0
-    swc1 $f2, 20($sp)
-    swc1 $f2, 104($sp)
-    LOAD $f0, $20, 32           #: parameters
-    lwc1 $f2, 24($sp)
-    mul.s $f0, $f1, $f0
-    add.s $f2, $f2, $f0
-    swc1 $f2, 24($sp)
-    swc1 $f2, 108($sp)
-    LOAD $f0, $20, 33           #: parameters
-    lw $3, 40($sp)
-    mul.s $f0, $f1, $f0
-    lwc1 $f1, 28($sp)
-    add.s $f1, $f1, $f0
-    swc1 $f1, 28($sp)
-    swc1 $f1, 112($sp)
-    lwc1 $f1, 100($sp)
-    beqz $3, $BB0_2             #: last_bounce
-    nop
 $BB0_60:
-    swc1 $f20, 76($sp)
+    lwc1 $f22, 48($sp)
+    andi $1, $17, 1
+    bnez $1, $BB0_66            #: !any
+    nop
+$BB0_61:
+    lwc1 $f0, 112($sp)
+    LOAD $f1, $ra, 31           #: parameters
+    lwc1 $f2, 72($sp)
+    mul.s $f1, $f0, $f1
+    add.s $f1, $f2, $f1
+    swc1 $f1, 72($sp)
+    LOAD $f1, $ra, 32           #: parameters
+    lwc1 $f2, 76($sp)
+    mul.s $f1, $f0, $f1
+    add.s $f1, $f2, $f1
+    swc1 $f1, 76($sp)
+    LOAD $f1, $ra, 33           #: parameters
+    mul.s $f0, $f0, $f1
+    lw $3, 16($sp)
+    lwc1 $f1, 80($sp)
+    add.s $f0, $f1, $f0
+    beqz $3, $BB0_2             #: last_bounce
+    swc1 $f0, 80($sp)
+$BB0_62:
+    swc1 $f22, 48($sp)
     RAND $f0
-    lwc1 $f11, 96($sp)
+    lwc1 $f14, 68($sp)
     RAND $f2
-    mov.s $f12, $f1
-    lwc1 $f3, 164($sp)
+    lwc1 $f3, 132($sp)
     mfc1 $2, $f3
+    lwc1 $f10, %gp_rel($CPI0_9)($gp)
     lwc1 $f4, %gp_rel($CPI0_8)($gp)
-    lwc1 $f15, 44($sp)
     addiu $3, $3, -1
-    sw $3, 40($sp)
-    sub.s $f1, $f11, $f0
+    sw $3, 16($sp)
+    sub.s $f1, $f14, $f0
     FPINVSQRT $f5, $f1
     mul.s $f2, $f2, $f4
     lui $1, 32768
     and $1, $2, $1
     lui $2, 16256
     or $2, $1, $2
+    mtc1 $2, $f8
+    add.s $f11, $f3, $f8
     FPINVSQRT $f4, $f0
     mul.s $f0, $f0, $f4
-    mtc1 $2, $f6
-    add.s $f8, $f3, $f6
-    COS $f7, $f2
+    COS $f9, $f2
     SIN $f2, $f2
-    lwc1 $f4, 160($sp)
     mul.s $f1, $f1, $f5
-    mul.s $f5, $f15, $f4
+    lwc1 $f5, 124($sp)
+    lwc1 $f4, 128($sp)
+    div.s $f10, $f10, $f11
+    mul.s $f11, $f4, $f4
     mul.s $f2, $f2, $f0
-    mul.s $f0, $f7, $f0
-    lwc1 $f7, %gp_rel($CPI0_9)($gp)
+    mul.s $f0, $f9, $f0
+    mul.s $f9, $f5, $f4
+    mul.s $f12, $f5, $f1
     mul.s $f3, $f1, $f3
-    mul.s $f9, $f15, $f1
     mul.s $f1, $f1, $f4
-    div.s $f7, $f7, $f8
-    mul.s $f8, $f4, $f4
-    mul.s $f8, $f8, $f7
-    mul.s $f5, $f5, $f7
-    mul.s $f10, $f6, $f5
-    add.s $f8, $f6, $f8
-    mul.s $f6, $f15, $f6
-    mul.s $f5, $f2, $f5
-    mul.s $f8, $f2, $f8
-    mul.s $f10, $f0, $f10
-    add.s $f8, $f10, $f8
-    mul.s $f10, $f15, $f6
-    mul.s $f7, $f10, $f7
-    add.s $f10, $f1, $f8
-    add.s $f7, $f7, $f11
-    mul.s $f7, $f0, $f7
-    mul.s $f0, $f0, $f6
-    add.s $f1, $f5, $f7
+    mul.s $f11, $f11, $f10
+    mul.s $f9, $f9, $f10
+    mul.s $f13, $f8, $f9
+    add.s $f11, $f8, $f11
+    mul.s $f8, $f5, $f8
+    mul.s $f9, $f2, $f9
+    mul.s $f5, $f5, $f8
+    mul.s $f11, $f2, $f11
+    mul.s $f13, $f0, $f13
+    mul.s $f5, $f5, $f10
+    add.s $f11, $f13, $f11
+    add.s $f5, $f5, $f14
+    add.s $f10, $f1, $f11
+    mul.s $f5, $f0, $f5
+    mul.s $f0, $f0, $f8
+    add.s $f1, $f9, $f5
     sub.s $f0, $f3, $f0
-    add.s $f7, $f9, $f1
+    add.s $f5, $f12, $f1
     mul.s $f1, $f2, $f4
-    sub.s $f4, $f0, $f1
     j $BB0_5
-    mov.s $f1, $f12
-$BB0_61:
-    lw $3, 40($sp)
-    bnez $3, $BB0_60            #: !last_bounce
-    mov.s $f1, $f9
+    sub.s $f3, $f0, $f1
+$BB0_63:
+    lw $3, 16($sp)
+    bnez $3, $BB0_62            #: !last_bounce
+    nop
     j $BB0_2
     nop
-$BB0_63:
-    lwc1 $f20, 76($sp)
-$BB0_64:
-    LOAD $f0, $20, 34           #: parameters
-    lwc1 $f3, 20($sp)
-    mul.s $f0, $f20, $f0
-    add.s $f3, $f3, $f0
-    swc1 $f3, 104($sp)
-    LOAD $f0, $20, 35           #: parameters
-    lwc1 $f2, 24($sp)
-    mul.s $f0, $f20, $f0
-    add.s $f2, $f2, $f0
-    swc1 $f2, 108($sp)
-    LOAD $f0, $20, 36           #: parameters
-    lwc1 $f1, 28($sp)
-    mul.s $f0, $f20, $f0
-    add.s $f1, $f1, $f0
-    j $BB0_3
-    swc1 $f1, 112($sp)
 $BB0_65:
-    lw $16, 2504($sp)
-    lw $17, 2508($sp)
-    lw $18, 2512($sp)
-    lw $19, 2516($sp)
-    lw $20, 2520($sp)
-    lw $21, 2524($sp)
-    lw $22, 2528($sp)
-    lw $23, 2532($sp)
-    lw $fp, 2536($sp)
-    lw $ra, 2540($sp)
-    ldc1 $f20, 2544($sp)
-    ldc1 $f22, 2552($sp)
-    ldc1 $f24, 2560($sp)
-    ldc1 $f26, 2568($sp)
-    ldc1 $f28, 2576($sp)
-    ldc1 $f30, 2584($sp)
+    lwc1 $f22, 48($sp)
+$BB0_66:
+    LOAD $f0, $ra, 34           #: parameters
+    lwc1 $f1, 72($sp)
+    mul.s $f0, $f22, $f0
+    add.s $f5, $f1, $f0
+    swc1 $f5, 72($sp)
+    LOAD $f0, $ra, 35           #: parameters
+    lwc1 $f1, 76($sp)
+    mul.s $f0, $f22, $f0
+    add.s $f6, $f1, $f0
+    swc1 $f6, 76($sp)
+    LOAD $f0, $ra, 36           #: parameters
+    lwc1 $f1, 80($sp)
+    mul.s $f0, $f22, $f0
+    add.s $f4, $f1, $f0
+    j $BB0_3
+    swc1 $f4, 80($sp)
+$BB0_67:
+    lw $16, 2472($sp)
+    lw $17, 2476($sp)
+    lw $18, 2480($sp)
+    lw $19, 2484($sp)
+    lw $20, 2488($sp)
+    lw $21, 2492($sp)
+    lw $22, 2496($sp)
+    lw $23, 2500($sp)
+    lw $fp, 2504($sp)
+    lw $ra, 2508($sp)
+    ldc1 $f20, 2512($sp)
+    ldc1 $f22, 2520($sp)
+    ldc1 $f24, 2528($sp)
+    ldc1 $f26, 2536($sp)
+    ldc1 $f28, 2544($sp)
+    ldc1 $f30, 2552($sp)
     addiu $2, $zero, 0
     jr $ra
-    addiu $sp, $sp, 2592
+    addiu $sp, $sp, 2560

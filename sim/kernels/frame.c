@@ -46,6 +46,10 @@ int main(void) {
             int axis0 = axis == 2 ? 0 : axis + 1, axis1 = axis == 0 ? 2 : axis - 1;
             local[4] = dx, local[5] = dy, local[6] = dz;
             local[7] = ox, local[8] = oy, local[9] = oz;
+#ifdef DST_SOFTWARE
+            local[16] = ix, local[17] = iy, local[18] = iz;
+            local[19] = jx, local[20] = jy, local[21] = jz;
+#endif
             float scale = 1.f / local[4 + axis];
             float shear0 = local[4 + axis0] * scale, shear1 = local[4 + axis1] * scale;
             int hit = -1, depth = 0;

@@ -42,6 +42,7 @@
         if (code == 0) goto pop;
         triangle = near;
 #elif defined(DST_SOFTWARE)
+        // The ray's components are read by axis from the local store.
         int at = nodes + node;
         int word = LOAD_INT("node", at, 0);
         int offset = word & NODE_OFFSET;
@@ -50,21 +51,24 @@
             int kind = word >> AXIS_BIT & 3, size = word >> SIZE_BIT & 3;
             float plane0 = LOAD_FLOAT("node", at, 1), plane1 = LOAD_FLOAT("node", at, 2);
             if (kind == 2) {
-                float o = size == 0 ? ox : size == 1 ? oy : oz, i = size == 0 ? ix : size == 1 ? iy : iz,
-                      j = size == 0 ? jx : size == 1 ? jy : jz;
-                float exit_plane = i < 0.f ? plane1 : plane0, entry_plane = i < 0.f ? plane0 : plane1;
-                t_max = minimum(t_max, (exit_plane - o) * j);
-                t_min = maximum(t_min, (entry_plane - o) * i);
+                float o = local[7 + size], i = local[16 + size], j = local[19 + size];
+                if (i < 0.f) {
+                    t_max = minimum(t_max, (plane1 - o) * j);
+                    t_min = maximum(t_min, (plane0 - o) * i);
+                } else {
+                    t_max = minimum(t_max, (plane0 - o) * j);
+                    t_min = maximum(t_min, (plane1 - o) * i);
+                }
             } else {
-                float o0 = kind == 3 ? oy : ox, i0 = kind == 3 ? iy : ix, j0 = kind == 3 ? jy : jx;
-                float o1 = kind == 0 ? oy : oz, i1 = kind == 0 ? iy : iz, j1 = kind == 0 ? jy : jz;
-                plane0 -= o0, plane1 -= o1;
-                if ((i0 < 0.f) == (size >> 1 & 1))
-                    t_max = minimum(t_max, plane0 * j0);
+                int first = kind >> 1, second = (kind & 1) + 1;
+                float i0 = local[16 + first], i1 = local[16 + second];
+                plane0 -= local[7 + first], plane1 -= local[7 + second];
+                if ((bits(i0) >> 31 & 1) == size >> 1)
+                    t_max = minimum(t_max, plane0 * local[19 + first]);
                 else
                     t_min = maximum(t_min, plane0 * i0);
-                if ((i1 < 0.f) == (size & 1))
-                    t_max = minimum(t_max, plane1 * j1);
+                if ((bits(i1) >> 31 & 1) == (size & 1))
+                    t_max = minimum(t_max, plane1 * local[19 + second]);
                 else
                     t_min = maximum(t_min, plane1 * i1);
             }
@@ -77,12 +81,15 @@
         } else {
             int axis_code = word >> AXIS_BIT & 3, size = word >> SIZE_BIT & 3;
             float plane0 = LOAD_FLOAT("node", at, 1), plane1 = LOAD_FLOAT("node", at, 2);
-            float o = axis_code == 0 ? ox : axis_code == 1 ? oy : oz, i = axis_code == 0 ? ix : axis_code == 1 ? iy : iz,
-                  j = axis_code == 0 ? jx : axis_code == 1 ? jy : jz;
+            float o = local[7 + axis_code], i = local[16 + axis_code], j = local[19 + axis_code];
             int near = offset, far = offset + size;
-            float near_plane = plane0, far_plane = plane1;
-            if (i < 0.f) near = offset + size, far = offset, near_plane = plane1, far_plane = plane0;
-            float near_exit = minimum(t_max, (near_plane - o) * j), far_entry = maximum(t_min, (far_plane - o) * i);
+            float near_exit, far_entry;
+            if (i < 0.f) {
+                near = offset + size, far = offset;
+                near_exit = minimum(t_max, (plane1 - o) * j), far_entry = maximum(t_min, (plane0 - o) * i);
+            } else {
+                near_exit = minimum(t_max, (plane0 - o) * j), far_entry = maximum(t_min, (plane1 - o) * i);
+            }
             if (t_min <= near_exit) {
                 if (far_entry <= t_max) {
                     stack[depth].node = far;

@@ -73,6 +73,8 @@ pub enum Command {
     Estimate(EstimateArgs),
     /// Time a frame on a many-core machine, or the public simulator's reference runs.
     Simulate(SimulateArgs),
+    /// The paper's study: all built-in scenes, eight structures, both tests, on the many-core machine.
+    Study(StudyArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -370,10 +372,10 @@ pub struct PrecisionArgs {
 
 #[derive(Args, Debug)]
 pub struct StressArgs {
-    /// Rays of each of the known cases, at most; netlists get a fiftieth.
+    /// Rays of each of the known cases, at most; interpreted netlists get a fiftieth.
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub rays: u64,
-    /// Rays that are aimed at corners, edges and faces of four meshes; netlists get 16 of each 16,384.
+    /// Rays that are aimed at corners, edges and faces of four meshes; interpreted netlists get 16 of each 16,384.
     #[arg(long, default_value_t = 20_000, value_name = "N")]
     pub aimed: u64,
     /// Rays per method and mesh that a search walks towards the worst.
@@ -482,6 +484,23 @@ pub struct SimulateArgs {
     /// Print the machine as a TOML file.
     #[arg(long)]
     pub dump_config: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct StudyArgs {
+    /// quick: small scenes and images; paper: full-size scenes, 256x256 pixels, 32 multiprocessors, hours.
+    #[arg(long, default_value = "quick", value_parser = ["quick", "paper"])]
+    pub preset: String,
+    /// Only this scene: the runs of a study can be shared out and go on where they were interrupted.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// The folder to write; runs that it already holds are not repeated.
+    #[arg(long, default_value = "study", value_name = "DIR")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    #[command(flatten)]
+    pub machine: MachineArgs,
 }
 
 #[derive(Args, Debug)]

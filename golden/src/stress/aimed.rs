@@ -137,7 +137,7 @@ impl<'a> Aim<'a> {
         Ray::new(origin, std::array::from_fn(|k| target[k] - origin[k]))
     }
 
-    /// `ray` if it hits triangle `index`.
+    /// `ray` if it hits triangle `index` at a distance that is a normal number, or exactly zero.
     #[must_use]
     pub fn confirm(&self, ray: &Ray, index: u32) -> Option<Aimed> {
         confirm(self.mesh, ray, index, self.mode)
@@ -149,7 +149,9 @@ fn confirm(mesh: &Mesh, ray: &Ray, index: u32, mode: Mode) -> Option<Aimed> {
     let triangle = Triangle::new(mesh, index, true);
     let hit = TriangleTest::new(&prepared).intersect(&prepared, &triangle, prepared.t_max)?;
     let known = Hit { t: prepared.given_t(hit.t), u: hit.u, v: hit.v, triangle: index };
-    Some(Aimed { ray: *ray, known })
+    // Distances that differ along the scaled direction may become one subnormal or zero along the one that was given:
+    // then ties would be seen where there are none.
+    (known.t.is_normal() || hit.t == 0.0).then_some(Aimed { ray: *ray, known })
 }
 
 impl Iterator for Aim<'_> {

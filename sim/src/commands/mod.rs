@@ -13,6 +13,7 @@ mod reproduce;
 mod scenes;
 mod simulate;
 mod stress;
+mod study;
 mod trace;
 mod tree;
 mod wave;
@@ -46,6 +47,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         Some(Command::Needs(args)) => needs::run(args, global),
         Some(Command::Estimate(args)) => estimate::run(args, global),
         Some(Command::Simulate(args)) => simulate::run(args, global),
+        Some(Command::Study(args)) => study::run(args, global),
         Some(Command::Reproduce(args)) => reproduce::run(args, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
     }

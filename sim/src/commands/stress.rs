@@ -23,7 +23,7 @@ struct Document {
     artifacts: Vec<String>,
 }
 
-/// A netlist takes about a thousand times as long as the software: it gets this fraction of the rays.
+/// An interpreted netlist takes thousands of times as long as software: it gets this fraction of the rays.
 const HARDWARE_SHARE: u64 = 50;
 /// Steps of each walk of the search.
 const SEARCH_STEPS: u32 = 400;
@@ -62,8 +62,8 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
             .map(|(method, netlist)| method.instance(&structures, netlist.as_ref()))
             .collect();
         let run = |instance: &Instance| {
-            let hardware = instance.method.is_hardware();
-            let limit = if hardware { (args.rays / HARDWARE_SHARE).max(1) } else { args.rays };
+            let interpreted = instance.method.is_interpreted();
+            let limit = if interpreted { (args.rays / HARDWARE_SHARE).max(1) } else { args.rays };
             bench.run(instance, limit as usize)
         };
         let results: Vec<Cell> = instances.par_iter().map(run).collect();
@@ -92,7 +92,7 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
     bar.finish_and_clear();
 
     let bar = progress(methods.len() as u64, "search");
-    for method in methods.iter().filter(|method| !method.is_hardware()) {
+    for method in methods.iter().filter(|method| !method.is_interpreted()) {
         bar.set_message(method.to_string());
         for (name, mesh) in &targets {
             let name = name.replace("aimed", "searched");

@@ -21,8 +21,8 @@ pub use workload::{NodeType, Workload};
 
 use std::sync::OnceLock;
 
-use hdl::catalogue::Top;
-use hdl::netlist::ElaborateError;
+use hdl::catalogue::{StandardFormat, Top};
+use hdl::netlist::{ElaborateError, inventory};
 use serde::Serialize;
 
 use crate::gates::liberty::{Library, embedded};
@@ -81,6 +81,9 @@ pub struct PipelineCost {
 /// # Errors
 /// [`EstimateError`] for tops that are no pipeline, and for libraries that lack a cell or a scaling.
 pub fn pipeline_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateError> {
+    if let Top::RayBoxX2 | Top::RayBoxX4 | Top::RayBoxX8 = top {
+        return parallel_cost(top, method);
+    }
     let workload = built_in()?;
     let library = match method {
         Method::Published => embedded_library(),
@@ -89,6 +92,22 @@ pub fn pipeline_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateE
     let implementation = Implementation::new(top, library, crate::gates::words::Structures::default())?;
     let energy = implementation.energy(&workload.streams(&implementation)?);
     cost(&implementation, &energy.zero_delay, method)
+}
+
+/// The cost of a parallel form: that of one ray-box pipeline times the number that it has, by the adders of both.
+fn parallel_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateError> {
+    let adders = |top: Top| -> Result<f64, EstimateError> {
+        Ok(inventory(&top.design(StandardFormat::Binary32)?)?.units["fp_add"].into())
+    };
+    let copies = adders(top)? / adders(Top::RayBox)?;
+    let one = pipeline_cost(Top::RayBox, method)?;
+    Ok(PipelineCost {
+        area_um2: copies * one.area_um2,
+        energy_pj: copies * one.energy_pj,
+        glue_area_um2: copies * one.glue_area_um2,
+        glue_energy_pj: copies * one.glue_energy_pj,
+        source: format!("{copies} times one ray-box pipeline: {}", one.source),
+    })
 }
 
 /// [`pipeline_cost`] of what is already mapped and measured; `method`'s library has to be the implementation's.
@@ -154,6 +173,8 @@ mod tests {
             assert!(cost.glue_energy_pj <= 0.5 * paper.glue_energy_pj, "{top}: {cost:?}");
             assert!(cost.glue_area_um2 > 500.0 && cost.glue_energy_pj > 0.05, "{top}: {cost:?}");
         }
+        let one = pipeline_cost(Top::RayBox, Method::Published).unwrap();
+        assert_eq!(pipeline_cost(Top::RayBoxX4, Method::Published).unwrap().area_um2, 4.0 * one.area_um2);
         assert!(matches!(
             pipeline_cost(Top::FpAdd, Method::Published),
             Err(EstimateError::NoPipeline(Top::FpAdd))

@@ -5,7 +5,7 @@
 //! | [`Compiled`](compiled::Compiled) | the catalogue in binary32 and binary16 | 16 | volume; one vector at a time |
 //! | [`Interpreter`](interpreter::Interpreter) | any | 64 | formats and modules made at run time, mutants |
 //! | [`GateEngine`](blasted::GateEngine) | any, as gates | 64 | toggles and proofs |
-//! | [`Evaluator`](hdl::netlist::Evaluator) | any | 1 | the reference that the others are compared with |
+//! | [`hdl::netlist::Evaluator`] | any | 1 | the reference that the others are compared with |
 //! | [`RustHdl`](rust_hdl::RustHdl) | units and pipelines | 1 | the kernels' own text, executed |
 //! | [`Verilated`](verilated::Verilated) | any, as Verilog | 1 | the exported text, by an independent tool; no [`Engine`] |
 //!

@@ -56,8 +56,9 @@ impl Pipeline {
     /// # Errors
     /// If a multiprocessor has not enough of them, or none would be left for the rest of the program.
     pub fn take_units(&self, machine: &mut MachineDescription) -> Result<(), DescriptionError> {
+        let mut left = machine.units;
         for (&unit, &count) in &self.units {
-            let pool = machine.units.pool_mut(unit);
+            let pool = left.pool_mut(unit);
             if pool.count <= count {
                 let key = format!("units.{}.count", unit_key(unit));
                 let rule = format!("the pipeline {} takes {count}, and one has to be left", self.top);
@@ -65,6 +66,7 @@ impl Pipeline {
             }
             pool.count -= count;
         }
+        machine.units = left;
         Ok(())
     }
 
@@ -90,6 +92,7 @@ mod tests {
             Pipeline::new(Top::RayBox, Method::Published).take_units(&mut small).unwrap_err().to_string();
         assert!(error.contains("units.fp_mul.count = 6") && error.contains("ray_box"), "{error}");
         let dual_split = Pipeline::new(Top::DualSplit, Method::Published);
+        let mut small = MachineDescription::load("trax", &["units.fp_mul.count=6".to_owned()]).unwrap();
         dual_split.take_units(&mut small).unwrap();
         assert_eq!(small.units.fp_mul.count, 4);
         assert_eq!(dual_split.latency_cycles, 8);

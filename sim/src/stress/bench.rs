@@ -220,11 +220,11 @@ fn turned(ray: &Ray) -> [Ray; 8] {
 /// Rays of one seed; more are split into such parts, which run on any thread.
 const CHUNK: u64 = 1 << 14;
 
-/// A netlist takes about a thousand times as long as software: this many rays of a chunk are enough for it.
+/// An interpreted netlist takes thousands of times as long as software: this many rays of a chunk are enough for it.
 const NETLIST_CHUNK: u64 = CHUNK / 1000;
 
 /// Runs every method on the same `rays` rays that are aimed at the triangles of `mesh`, with the answer known by
-/// construction; netlists on a thousandth of them.
+/// construction; interpreted netlists on a thousandth of them.
 ///
 /// # Errors
 /// [`DstError`] if the dual-split tree is too large for its format.
@@ -249,7 +249,7 @@ pub fn aimed_cells(
         for (i, aimed) in (0..count).zip(Aim::new(mesh, Mode::Robust, mixed(seed, index))) {
             let known = [aimed.in_mode(mesh, Mode::Fast), Some(aimed)];
             for (cell, instance) in cells.iter_mut().zip(&instances) {
-                if i < NETLIST_CHUNK || !instance.method.is_hardware() {
+                if i < NETLIST_CHUNK || !instance.method.is_interpreted() {
                     cell.judge_aimed(instance.closest(&aimed.ray), &known[instance.method.mode_index()]);
                 }
             }

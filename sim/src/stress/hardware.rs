@@ -1,6 +1,6 @@
-//! The dual-split pipeline's netlist as a step function: a node goes in, and its result comes out eight cycles later.
+//! The dual-split pipeline's netlist in a narrow format as a step function: a node goes in, and its result comes out eight
+//! cycles later. [`crate::logic::steps`] does the same in binary32, faster.
 
-use golden::TraversalRay;
 use golden::dst::{Child, Code, Step};
 use golden::fp::{Arithmetic, Rounding};
 use golden::precision::NarrowRay;
@@ -23,11 +23,6 @@ impl<'n> Hardware<'n> {
     pub fn new(netlist: &'n Flat) -> Self {
         let inputs = vec![0; netlist.inputs.len()];
         Self { ports: Ports::new(netlist), inputs, simulation: Evaluator::new(netlist) }
-    }
-
-    /// One step in binary32, as [`golden::dst::step()`].
-    pub fn step(&mut self, words: [u32; 3], ray: &TraversalRay, t_min: f32, t_max: f32) -> Step {
-        self.run(&NodeCase { words, ray: RayWords::new(ray, t_min, t_max) }, f32::from_bits)
     }
 
     /// One step in the pipeline's own format, `arithmetic`'s; the ray has one value for its origin and reciprocals, as the

@@ -1,6 +1,7 @@
 //! A structure with an arithmetic.
 
 use super::Hardware;
+use crate::logic::steps::DualSplitStep;
 use golden::build::BinaryTree;
 use golden::bvh::box_step;
 use golden::dst::{Dst, DstError};
@@ -12,6 +13,7 @@ use golden::triangle::Triangle;
 use golden::{Aabb, Hit, Mode, Ray, TraversalRay};
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::netlist::{Flat, flatten};
+use std::cell::RefCell;
 use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
@@ -150,23 +152,25 @@ impl Method {
         usize::from(self.arithmetic.mode() == Mode::Robust)
     }
 
-    /// Whether node steps are executed by a netlist, a thousand times slower.
+    /// Whether node steps are executed by a netlist, whose visits are those of the software.
     #[must_use]
     pub fn is_hardware(self) -> bool {
         matches!(self.arithmetic, Arithmetic::Netlist(_) | Arithmetic::NarrowNetlist(_))
     }
 
-    /// The netlist that executes this method's steps, if one does.
+    /// Whether that netlist is interpreted, thousands of times slower than software; that in binary32 is compiled.
+    #[must_use]
+    pub fn is_interpreted(self) -> bool {
+        matches!(self.arithmetic, Arithmetic::NarrowNetlist(_))
+    }
+
+    /// The netlist that is interpreted for this method's steps, if one is.
     ///
     /// # Panics
     /// If the pipeline does not elaborate, which the tests of `hdl` rule out.
     #[must_use]
     pub fn netlist(self) -> Option<Arc<Flat>> {
-        let format = match self.arithmetic {
-            Arithmetic::Netlist(_) => StandardFormat::Binary32,
-            Arithmetic::NarrowNetlist(format) => format,
-            Arithmetic::Native(_) | Arithmetic::Narrow(_) => return None,
-        };
+        let Arithmetic::NarrowNetlist(format) = self.arithmetic else { return None };
         let design = Top::DualSplit.design(format).expect("the pipeline elaborates");
         Some(Arc::new(flatten(&design).expect("the pipeline is flattened")))
     }
@@ -182,14 +186,12 @@ impl Method {
         let traced = match (self.arithmetic, netlist) {
             (Arithmetic::Native(_), _) => Traced::Native(wide.clone()),
             (Arithmetic::Narrow(precision), _) => Traced::Narrow(NarrowStructure::new(wide, precision)),
-            (Arithmetic::Netlist(_), Some(netlist)) => Traced::Netlist(dst().clone(), netlist.clone()),
+            (Arithmetic::Netlist(_), _) => Traced::Netlist(dst().clone()),
             (Arithmetic::NarrowNetlist(format), Some(netlist)) => {
                 let precision = Precision::new(format.format(), Variant::Naive);
                 Traced::NarrowNetlist(NarrowDst::new(dst(), precision), netlist.clone())
             }
-            (Arithmetic::Netlist(_) | Arithmetic::NarrowNetlist(_), None) => {
-                unreachable!("hardware methods have a netlist")
-            }
+            (Arithmetic::NarrowNetlist(_), None) => unreachable!("interpreted methods have a netlist"),
         };
         Instance { method: self, traced }
     }
@@ -215,6 +217,11 @@ impl Structures {
     }
 }
 
+thread_local! {
+    /// The compiled pipeline in binary32.
+    static STEP: RefCell<DualSplitStep> = RefCell::default();
+}
+
 /// A method over one tree.
 #[derive(Debug)]
 pub struct Instance {
@@ -227,7 +234,7 @@ pub struct Instance {
 enum Traced {
     Native(Arc<Structure>),
     Narrow(NarrowStructure),
-    Netlist(Dst, Arc<Flat>),
+    Netlist(Dst),
     NarrowNetlist(NarrowDst, Arc<Flat>),
 }
 
@@ -239,12 +246,11 @@ impl Instance {
         match &self.traced {
             Traced::Native(structure) => structure.closest_prepared(&prepared, &mut NoObserver),
             Traced::Narrow(structure) => structure.closest_prepared(&prepared, &mut NoObserver),
-            Traced::Netlist(dst, netlist) => {
-                let mut hardware = Hardware::new(netlist);
+            Traced::Netlist(dst) => STEP.with_borrow_mut(|hardware| {
                 closest_by_steps(dst, &prepared, &mut NoObserver, |words, ray, low, high| {
                     hardware.step(words, ray, low, high)
                 })
-            }
+            }),
             Traced::NarrowNetlist(dst, netlist) => {
                 let mut hardware = Hardware::new(netlist);
                 let arithmetic = golden::fp::Arithmetic::new(dst.precision.format);
@@ -263,7 +269,7 @@ impl Instance {
         let _: Option<Hit> = match &self.traced {
             Traced::Native(structure) => structure.closest_prepared(&prepared, &mut counters),
             Traced::Narrow(structure) => structure.closest_prepared(&prepared, &mut counters),
-            Traced::Netlist(..) | Traced::NarrowNetlist(..) => None,
+            Traced::Netlist(_) | Traced::NarrowNetlist(..) => None,
         };
         counters.node_visits
     }
@@ -274,7 +280,7 @@ impl Instance {
     pub fn slack(&self, bounds: &Aabb, ray: &Ray) -> Option<f64> {
         let prepared = TraversalRay::new(ray, self.method.arithmetic.mode())?;
         let (entry, exit) = match &self.traced {
-            Traced::Native(_) | Traced::Netlist(..) => {
+            Traced::Native(_) | Traced::Netlist(_) => {
                 let test = box_step(bounds, &prepared, prepared.t_min, prepared.t_max);
                 (test.t_entry, test.t_exit)
             }

@@ -24,7 +24,7 @@ impl Oracle {
     /// The oracle of `format`.
     #[must_use]
     pub fn new(format: Format) -> Self {
-        let patterns = if format.width() <= 16 { 0..=format.mask() } else { 1..=0 };
+        let patterns = if format.width() <= 16 { 0..format.mask() + 1 } else { 0..0 };
         Self { format, values: patterns.map(|bits| value(format, bits)).collect() }
     }
 
@@ -53,7 +53,7 @@ impl Oracle {
         let shadow = sum - x;
         let error = (x - (sum - shadow)) + (y - shadow);
         // With an infinity or a NaN the error is a NaN, and the sum is exact.
-        let inexact = error < 0.0 || error > 0.0;
+        let inexact = error != 0.0 && !error.is_nan();
         let bits = sum.to_bits();
         let odd = if inexact && bits & 1 == 0 {
             let outwards = (error > 0.0) == (sum > 0.0);

@@ -1,7 +1,7 @@
 //! The compiled simulation: Rust functions that the build script has written for the tops of the catalogue.
 //!
 //! A netlist's units (modules whose outputs come from registers, each once; see `sim/build/unit.rs`) are functions over
-//! the lanes of [`lanes`]. Within a cycle, a unit computes its registers' next values and the inputs of the units inside
+//! the lanes of `lanes`. Within a cycle, a unit computes its registers' next values and the inputs of the units inside
 //! it from registers alone, and then lets those step: no order of evaluation has to be found, and nothing is computed twice.
 //! Registers lie in memory in the order of the hierarchy; values between them stay in the processor's registers.
 

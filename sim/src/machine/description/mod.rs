@@ -368,8 +368,9 @@ mod tests {
             assert_eq!(machine.name, name);
             let again: MachineDescription = toml::from_str(&machine.to_toml()).unwrap();
             assert_eq!(again, machine);
-            assert_eq!(machine.dram.bytes(machine.l2.line.0), 2 << 30);
         }
+        let trax = MachineDescription::load("trax", &[]).unwrap();
+        assert_eq!(trax.dram.bytes(trax.l2.line.0), 2 << 30);
     }
 
     #[test]

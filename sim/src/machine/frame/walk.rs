@@ -104,7 +104,10 @@ fn decoding(words: [u32; 3], query: &Query<'_>, here: Child, code: Code, state: 
     };
     match Header::decode(words[0]) {
         Some(Header::Leaf { .. }) | None => names.bare_leaf,
-        Some(Header::CarveSingle { leaf, .. }) => names.carve | names.single | carved(leaf),
+        Some(Header::CarveSingle { axis, leaf, .. }) => {
+            let swap = if ray.is_negative(axis as usize) { names.swap } else { 0 };
+            names.carve | names.single | swap | carved(leaf)
+        }
         Some(Header::CarveDual { axes, is_min, leaf, .. }) => {
             let entry = |i: usize| {
                 let exits = ray.is_negative(axes[i] as usize) == is_min[i];

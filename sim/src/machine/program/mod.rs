@@ -44,7 +44,7 @@ pub struct MicroOp {
     pub local_store: bool,
     /// Bank of the instruction cache.
     pub bank: u8,
-    /// Registers that it waits for; [`ZERO`] is always ready.
+    /// Registers that it waits for; register zero is always ready.
     pub reads: [Register; 3],
     /// Register that it writes; [`SINK`] for none.
     pub write: Register,
