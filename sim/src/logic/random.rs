@@ -141,7 +141,7 @@ impl ModuleMaker {
                 self.add(Op::Slice { of: a, low }, result);
             }
             11 => {
-                let low = self.any();
+                let low = if self.dice.roll(2) == 0 { self.of_width(1) } else { self.any() };
                 let result = width + self.graph.width(low);
                 if result <= self.max_width {
                     self.add(Op::Concat { high: a, low }, result);
