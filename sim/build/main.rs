@@ -6,10 +6,12 @@ mod emit;
 mod faults;
 mod flush;
 mod idioms;
+mod logic;
 mod program;
 #[path = "../src/logic/random.rs"]
 mod random;
 mod reduce;
+mod schedule;
 mod unit;
 
 use hdl::catalogue::{StandardFormat, Top};

@@ -1,7 +1,8 @@
 //! The files: for each set of lanes the functions of all units, and a table of the programs.
 
-use super::emit::{Emitter, schedule};
+use super::emit::Emitter;
 use super::flush::flush;
+use super::schedule::schedule;
 use super::unit::{ENABLE, Kind, Logic, Place, Slot, Source, Unit, Units};
 use hdl::netlist::{Design, Port, flatten};
 use std::fmt::Write;

@@ -2,6 +2,7 @@
 
 use super::Engine;
 use hdl::netlist::{Evaluator, Flat, mask};
+use scenes::split_mix::hash;
 use std::fmt;
 
 /// The first output that an engine shows otherwise than [`Evaluator`].
@@ -64,8 +65,8 @@ pub fn first_difference(
 #[must_use]
 pub fn any_inputs(netlist: &Flat, seed: u64, cycle: u64, lane: usize) -> Vec<u128> {
     let value = |(input, width): (usize, u32)| {
-        let random = mix(mix(seed ^ mix(cycle)) ^ ((lane as u64) << 32) ^ input as u64);
-        let wide = u128::from(mix(random)) << 64 | u128::from(mix(!random));
+        let random = hash(hash(seed ^ hash(cycle)) ^ ((lane as u64) << 32) ^ input as u64);
+        let wide = u128::from(hash(random)) << 64 | u128::from(hash(!random));
         let value = match random % 16 {
             0 => 0,
             1 => u128::MAX,
@@ -76,13 +77,4 @@ pub fn any_inputs(netlist: &Flat, seed: u64, cycle: u64, lane: usize) -> Vec<u12
         value & mask(width)
     };
     netlist.inputs.iter().map(|port| port.width).enumerate().map(value).collect()
-}
-
-/// The finaliser of splitmix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014).
-#[must_use]
-pub fn mix(seed: u64) -> u64 {
-    let z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }

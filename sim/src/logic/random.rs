@@ -7,6 +7,7 @@ use hdl::netlist::{
     BinaryOp, Design, Graph, Instance, Module, ModuleId, NodeId, Op, Port, Register, SignalType, UnaryOp,
     mask,
 };
+use scenes::split_mix::{hash, next};
 
 /// Widths around the sizes of lanes.
 const WIDTHS: [u32; 18] = [1, 1, 1, 2, 3, 7, 8, 16, 24, 31, 32, 32, 33, 48, 63, 64, 65, 128];
@@ -14,21 +15,13 @@ const WIDTHS: [u32; 18] = [1, 1, 1, 2, 3, 7, 8, 16, 24, 31, 32, 32, 33, 48, 63, 
 /// Operations in a module.
 const OPERATIONS: usize = 60;
 
-/// The finaliser of splitmix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014).
-pub fn mix(seed: u64) -> u64 {
-    let z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
 /// The design of a seed, with words of at most `max_width` bits: modules that are used by later ones, the last the top.
 pub fn design(seed: u64, max_width: u32) -> Design {
     let mut modules = Vec::new();
     for position in 0..4 {
         let name = if position == 3 { format!("random_{seed}") } else { format!("part_{position}") };
         let module =
-            ModuleMaker::new(mix(seed ^ position << 32), max_width).module(name, &modules, position != 1);
+            ModuleMaker::new(hash(seed ^ position << 32), max_width).module(name, &modules, position != 1);
         modules.push(module);
     }
     Design { modules }
@@ -39,8 +32,7 @@ struct Dice(u64);
 
 impl Dice {
     fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        mix(self.0)
+        next(&mut self.0)
     }
 
     fn roll(&mut self, sides: usize) -> usize {
@@ -149,7 +141,7 @@ impl ModuleMaker {
                 self.add(Op::Slice { of: a, low }, result);
             }
             11 => {
-                let low = self.any();
+                let low = if self.dice.roll(2) == 0 { self.of_width(1) } else { self.any() };
                 let result = width + self.graph.width(low);
                 if result <= self.max_width {
                     self.add(Op::Concat { high: a, low }, result);

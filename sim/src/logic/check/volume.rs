@@ -9,7 +9,6 @@ use hdl::equivalence::{Model, Ports, Stimulus};
 use hdl::netlist::{Flat, mask};
 use rayon::prelude::*;
 use scenes::split_mix::hash;
-use std::collections::VecDeque;
 
 /// Operations compared in a block.
 const BLOCK_VECTORS: u64 = 1 << 16;
@@ -75,14 +74,34 @@ struct InFlight {
     cycle: u64,
 }
 
+/// The operations in flight in a lane: as many as the latency in cycles, the oldest at `head`.
+#[derive(Clone)]
+struct Line {
+    operations: Box<[InFlight]>,
+    head: usize,
+}
+
+impl Line {
+    fn oldest(&self) -> &InFlight {
+        &self.operations[self.head]
+    }
+
+    /// An enabled cycle: the oldest leaves, another enters.
+    fn advance(&mut self, next: InFlight) {
+        self.operations[self.head] = next;
+        self.head = (self.head + 1) % self.operations.len();
+    }
+}
+
 /// A part of a stream, with registers at power-up.
 struct Block<'n, E> {
     name: String,
     netlist: &'n Flat,
     engine: E,
     operation: Operation,
-    /// The operations in flight in each lane, the oldest first.
-    lines: Vec<VecDeque<InFlight>>,
+    lines: Vec<Line>,
+    /// What goes into each lane in this cycle, and whether it is enabled.
+    next: Vec<(InFlight, bool)>,
     enable: usize,
     valid: usize,
     tag: usize,
@@ -95,9 +114,10 @@ impl<'n, E: Engine> Block<'n, E> {
     fn new(name: String, netlist: &'n Flat, mut engine: E, operation: Operation) -> Self {
         engine.reset();
         let ports = Ports::new(netlist);
-        let empty: VecDeque<InFlight> = vec![InFlight::default(); operation.latency_cycles].into();
+        let empty = vec![InFlight::default(); operation.latency_cycles].into_boxed_slice();
         Self {
-            lines: vec![empty; engine.lanes()],
+            lines: vec![Line { operations: empty, head: 0 }; engine.lanes()],
+            next: vec![(InFlight::default(), false); engine.lanes()],
             enable: ports.input("en_i"),
             valid: ports.input("valid_i"),
             tag: ports.input("tag_i"),
@@ -122,8 +142,6 @@ impl<'n, E: Engine> Block<'n, E> {
         let tags = mask(self.netlist.inputs[self.tag].width);
         let lanes = self.engine.lanes();
         let cycle = self.totals.cycles / lanes as u64;
-        let mut enabled = [false; 64];
-        let mut next = [InFlight::default(); 64];
         for lane in 0..lanes {
             // An eighth of all cycles stalls, an eighth of the others is a bubble.
             let bits = self.operation.bits();
@@ -132,24 +150,23 @@ impl<'n, E: Engine> Block<'n, E> {
             self.engine.set_input(self.valid, lane, valid.into());
             self.engine.set_input(self.tag, lane, tag);
             let claims = self.operation.drive(&mut self.engine, lane);
-            enabled[lane] = enable;
-            next[lane] = InFlight { valid, tag, claims, cycle };
+            self.next[lane] = (InFlight { valid, tag, claims, cycle }, enable);
         }
         self.engine.settle();
         for lane in 0..lanes {
-            let shown = self.lines[lane][0];
-            self.compare(cycle, lane, &shown);
-            if enabled[lane] {
-                self.totals.vectors += u64::from(shown.valid);
-                self.lines[lane].pop_front();
-                self.lines[lane].push_back(next[lane]);
+            self.compare(cycle, lane);
+            let (next, enabled) = self.next[lane];
+            if enabled {
+                self.totals.vectors += u64::from(self.lines[lane].oldest().valid);
+                self.lines[lane].advance(next);
             }
         }
         self.engine.clock();
         self.totals.cycles += lanes as u64;
     }
 
-    fn compare(&mut self, cycle: u64, lane: usize, shown: &InFlight) {
+    fn compare(&mut self, cycle: u64, lane: usize) {
+        let shown = self.lines[lane].oldest();
         let mut wrong = None;
         let mut check = |output: usize, expected: u128| {
             let found = self.engine.output(output, lane);
@@ -167,13 +184,13 @@ impl<'n, E: Engine> Block<'n, E> {
             }
         }
         if let Some((output, expected, found)) = wrong {
+            let went_in = shown.cycle;
             self.totals.mismatches += 1;
             let (block, output) = (&self.name, &self.netlist.outputs[output].0.name);
             self.totals.first.get_or_insert_with(|| {
                 format!(
                     "{block}, lane {lane}, cycle {cycle}: {output} is {found:#x}, and should be {expected:#x} for the \
-                     operation of cycle {}",
-                    shown.cycle
+                     operation of cycle {went_in}"
                 )
             });
         }

@@ -249,6 +249,7 @@ impl Compiled {
         flush(&mut self.rows, &mut self.bits, lane);
     }
 
+    #[inline]
     fn set(&mut self, slot: Slot, lane: usize, value: u64) {
         match slot {
             Slot::Bit(bit) => {
@@ -266,6 +267,7 @@ impl Compiled {
         }
     }
 
+    #[inline]
     fn get(&self, slot: Slot, lane: usize) -> u64 {
         match slot {
             Slot::Bit(bit) => u64::from(self.bits[bit].0 >> lane & 1),
@@ -300,6 +302,7 @@ impl Engine for Compiled {
         }
     }
 
+    #[inline]
     fn set_input(&mut self, input: usize, lane: usize, value: u128) {
         self.set(self.program.inputs[input].slot, lane, value as u64);
     }
@@ -333,6 +336,7 @@ impl Engine for Compiled {
         unsafe { (self.settle)(&mut self.rows, &mut self.bits) }
     }
 
+    #[inline]
     fn output(&self, output: usize, lane: usize) -> u128 {
         self.get(self.program.outputs[output].slot, lane).into()
     }
