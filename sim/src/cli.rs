@@ -225,6 +225,9 @@ pub struct CheckArgs {
     /// Cycles to run through each, stalls and bubbles included.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
+    /// Put the Nth of the unit's faults into its netlist first, counted from 0, to see the check fail.
+    #[arg(long, value_name = "N", requires = "unit")]
+    pub mutate: Option<usize>,
 }
 
 #[derive(Args, Debug)]
@@ -248,7 +251,7 @@ pub struct ExportArgs {
 
 #[derive(Args, Debug)]
 pub struct WaveArgs {
-    /// The pipeline: dual_split, dual_split_lean, ray_box or ray_box_lean.
+    /// The unit or pipeline; single units show what they are given inside the dual-split pipeline.
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Top,
     /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.

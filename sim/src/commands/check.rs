@@ -2,9 +2,10 @@
 
 use crate::cli::{CheckArgs, Global};
 use crate::console::{Report, progress, table};
+use anyhow::Context;
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::equivalence::{Model, Outcome, Stimulus, compare};
-use hdl::netlist::flatten;
+use hdl::netlist::{Design, flatten, mutate, mutations};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,6 +14,9 @@ use std::time::Instant;
 #[derive(Serialize)]
 struct Document {
     seed: u64,
+    /// The fault that was put into the unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fault: Option<String>,
     units: Vec<UnitRow>,
 }
 
@@ -33,17 +37,35 @@ struct UnitRow {
 
 pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
     let tops = args.unit.map_or_else(|| Top::ALL.to_vec(), |top| vec![top]);
-    let units = tops.into_iter().map(|top| row(top, args.vectors, global.seed));
-    let document = Document { seed: global.seed, units: units.collect::<anyhow::Result<_>>()? };
+    let mut document = Document { seed: global.seed, fault: None, units: Vec::new() };
+    for top in tops {
+        let mut design = top.design(StandardFormat::Binary32)?;
+        if let Some(number) = args.mutate {
+            let (mutant, fault) = mutant(&design, number)?;
+            design = mutant;
+            document.fault = Some(fault);
+        }
+        document.units.push(row(top, &design, args.vectors, global.seed)?);
+    }
     let text = text(&document);
     let mut report = Report::new(&document, text);
     report.difference = document.units.iter().any(|unit| unit.mismatches > 0);
     Ok(report)
 }
 
-fn row(top: Top, cycles: u64, seed: u64) -> anyhow::Result<UnitRow> {
+/// The design with its fault `number`, and what the fault is.
+fn mutant(design: &Design, number: usize) -> anyhow::Result<(Design, String)> {
+    let faults = mutations(design);
+    let fault = faults.get(number).with_context(|| {
+        let name = &design.top().name;
+        format!("--mutate {number}: {name} has {} faults to try, counted from 0", faults.len())
+    })?;
+    Ok((mutate(design, fault)?, fault.to_string()))
+}
+
+fn row(top: Top, design: &Design, cycles: u64, seed: u64) -> anyhow::Result<UnitRow> {
     let format = StandardFormat::Binary32;
-    let netlist = flatten(&top.design(format)?)?;
+    let netlist = flatten(design)?;
     let bar = progress(cycles, format!("checking {top}"));
     let stimulus = Stimulus::new(top, format, &netlist, seed);
     let start = Instant::now();
@@ -74,6 +96,9 @@ fn text(document: &Document) -> String {
         ]
     });
     let mut text = table(["unit", "vectors", "classes", "mismatches", "vectors/s"], rows);
+    if let Some(fault) = &document.fault {
+        let _ = write!(text, "\nfault put in: {fault}\n");
+    }
     for unit in &document.units {
         let classes: Vec<String> =
             unit.classes.iter().map(|(class, count)| format!("{class} {count}")).collect();
