@@ -2,6 +2,8 @@
 //! processor time of interleaved runs.
 //!
 //! `DUALSPLIT_DATA=... cargo run --release -p golden --example trace_speed [-- SCENE...]`
+//!
+//! SCENE is a real scene, or a built-in one and its detail, such as `hairball:1`.
 
 #[path = "../tests/support/rays.rs"]
 mod rays;
@@ -28,13 +30,19 @@ fn main() {
     let chosen: Vec<String> = std::env::args().skip(1).collect();
     println!("| scene | rays | obvhs Mrays/s | structure | mode | Mrays/s | vs obvhs | vs bvh2 |");
     println!("|---|---|---|---|---|---|---|---|");
-    for name in support::SHARED_SCENES {
-        if chosen.is_empty() || chosen.iter().any(|c| c == name) {
-            let Some(mesh) = support::shared_scene(name) else {
-                return eprintln!("set DUALSPLIT_DATA to the folder that holds scenes/");
-            };
-            compare(name, &mesh);
-        }
+    let all = support::SHARED_SCENES.map(str::to_owned);
+    for name in if chosen.is_empty() { &all[..] } else { &chosen } {
+        let mesh = match name.split_once(':') {
+            Some((scene, detail)) => {
+                let detail = detail.parse().expect("SCENE:DETAIL with a number");
+                Some(scenes::Scene::load(scene, detail, 0).expect("a built-in scene").mesh)
+            }
+            None => support::shared_scene(name),
+        };
+        let Some(mesh) = mesh else {
+            return eprintln!("set DUALSPLIT_DATA to the folder that holds scenes/");
+        };
+        compare(name, &mesh);
     }
 }
 
@@ -70,6 +78,9 @@ fn compare(name: &str, mesh: &scenes::Mesh) {
     let packed = pack_triangles(mesh, &tree);
     let ours: Vec<_> =
         StructureKind::ALL.map(|k| Structure::convert(k, &tree, &packed).expect("a small scene")).into();
+    for structure in &ours {
+        eprintln!("{name}: {} {:.1} MB", structure.kind(), structure.node_bytes() as f64 / 1e6);
+    }
     let primary = rays::primary(name, &tree.nodes[0].aabb, 256);
     let diffuse = rays::diffuse(mesh, &ours[0], &primary, 5);
     for (label, rays) in [("primary", &primary), ("diffuse", &diffuse)] {

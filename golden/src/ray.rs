@@ -88,6 +88,19 @@ impl Mode {
     }
 }
 
+/// What a step of traversal asks of a ray; [`TraversalRay`] answers in binary32, [`crate::precision::NarrowRay`] in
+/// other formats.
+pub trait PlaneDistances {
+    /// Whether the ray runs towards smaller coordinates on `axis`.
+    fn is_negative(&self, axis: usize) -> bool;
+
+    /// Distance to the plane at `plane` on `axis` where the ray enters its half-space.
+    fn entry(&self, plane: f32, axis: usize) -> f32;
+
+    /// Distance to the plane at `plane` on `axis` where the ray leaves its half-space.
+    fn exit(&self, plane: f32, axis: usize) -> f32;
+}
+
 /// A ray as traversal and the pipelines see it: scaled, with its reciprocals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraversalRay {
@@ -170,6 +183,23 @@ impl TraversalRay {
     #[must_use]
     pub fn given_t(&self, t: f32) -> f32 {
         if self.t_exponent == 0 { t } else { scale(t, self.t_exponent) }
+    }
+}
+
+impl PlaneDistances for TraversalRay {
+    #[inline(always)]
+    fn is_negative(&self, axis: usize) -> bool {
+        self.is_negative(axis)
+    }
+
+    #[inline(always)]
+    fn entry(&self, plane: f32, axis: usize) -> f32 {
+        self.entry(plane, axis)
+    }
+
+    #[inline(always)]
+    fn exit(&self, plane: f32, axis: usize) -> f32 {
+        self.exit(plane, axis)
     }
 }
 

@@ -27,13 +27,35 @@ mod lanes {
             unsafe { Self(_mm_loadu_ps(x.as_ptr())) }
         }
         #[inline(always)]
-        pub fn pairs(low: [f32; 2], high: [f32; 2]) -> Self {
-            let pair = |x: [f32; 2]| i64::from(x[0].to_bits()) | i64::from(x[1].to_bits()) << 32;
-            unsafe { Self(_mm_castsi128_ps(_mm_set_epi64x(pair(high), pair(low)))) }
+        pub fn store(self, to: &mut [f32; 4]) {
+            unsafe { _mm_storeu_ps(to.as_mut_ptr(), self.0) }
         }
         #[inline(always)]
-        pub fn xxyy(x: f32, y: f32) -> Self {
-            unsafe { Self(_mm_shuffle_ps::<0>(_mm_set_ss(x), _mm_set_ss(y))) }
+        pub fn pairs(low: &[f32; 2], high: &[f32; 2]) -> Self {
+            unsafe {
+                Self(_mm_castpd_ps(_mm_loadh_pd(_mm_load_sd(low.as_ptr().cast()), high.as_ptr().cast())))
+            }
+        }
+        #[inline(always)]
+        pub fn shuffle<const LANES: i32>(self, b: Self) -> Self {
+            unsafe { Self(_mm_shuffle_ps::<LANES>(self.0, b.0)) }
+        }
+        #[inline(always)]
+        pub fn sign_bits(self) -> u32 {
+            unsafe { _mm_movemask_ps(self.0) as u32 }
+        }
+        #[inline(always)]
+        pub fn xxyy(xy: &[f32; 2]) -> Self {
+            let xy = Self::pairs(xy, &[0.0; 2]);
+            xy.interleave_low(xy)
+        }
+        #[inline(always)]
+        pub fn negated(self) -> Self {
+            unsafe { Self(_mm_xor_ps(_mm_set1_ps(-0.0), self.0)) }
+        }
+        #[inline(always)]
+        pub fn w(self) -> f32 {
+            unsafe { _mm_cvtss_f32(_mm_shuffle_ps::<0b11_11_11_11>(self.0, self.0)) }
         }
         #[inline(always)]
         pub fn to_array(self) -> [f32; 4] {
@@ -88,10 +110,6 @@ mod lanes {
         #[inline(always)]
         pub fn yzwx(self) -> Self {
             unsafe { Self(_mm_shuffle_ps::<0b00_11_10_01>(self.0, self.0)) }
-        }
-        #[inline(always)]
-        pub fn yxwz(self) -> Self {
-            unsafe { Self(_mm_shuffle_ps::<0b10_11_00_01>(self.0, self.0)) }
         }
         #[inline(always)]
         pub fn or(self, mask: Self) -> Self {
@@ -152,12 +170,33 @@ mod lanes {
             Self(*x)
         }
         #[inline(always)]
-        pub fn pairs([x, y]: [f32; 2], [z, w]: [f32; 2]) -> Self {
-            Self([x, y, z, w])
+        pub fn store(self, to: &mut [f32; 4]) {
+            *to = self.0;
         }
         #[inline(always)]
-        pub fn xxyy(x: f32, y: f32) -> Self {
-            Self([x, x, y, y])
+        pub fn pairs([x, y]: &[f32; 2], [z, w]: &[f32; 2]) -> Self {
+            Self([*x, *y, *z, *w])
+        }
+        #[inline(always)]
+        pub fn shuffle<const LANES: i32>(self, b: Self) -> Self {
+            let lane = |i: i32| (LANES >> (2 * i) & 3) as usize;
+            Self([self.0[lane(0)], self.0[lane(1)], b.0[lane(2)], b.0[lane(3)]])
+        }
+        #[inline(always)]
+        pub fn sign_bits(self) -> u32 {
+            (0..4).map(|i| u32::from(self.0[i].is_sign_negative()) << i).sum()
+        }
+        #[inline(always)]
+        pub fn xxyy([x, y]: &[f32; 2]) -> Self {
+            Self([*x, *x, *y, *y])
+        }
+        #[inline(always)]
+        pub fn negated(self) -> Self {
+            Self(self.0.map(|x| -x))
+        }
+        #[inline(always)]
+        pub fn w(self) -> f32 {
+            self.0[3]
         }
         #[inline(always)]
         pub fn to_array(self) -> [f32; 4] {
@@ -216,11 +255,6 @@ mod lanes {
             Self([y, z, w, x])
         }
         #[inline(always)]
-        pub fn yxwz(self) -> Self {
-            let [x, y, z, w] = self.0;
-            Self([y, x, w, z])
-        }
-        #[inline(always)]
         pub fn or(self, mask: Self) -> Self {
             Self(from_fn(|i| f32::from_bits(self.0[i].to_bits() | mask.0[i].to_bits())))
         }
@@ -254,3 +288,8 @@ mod lanes {
 }
 
 pub(crate) use lanes::F32x4;
+
+/// The lanes that [`F32x4::shuffle`] takes: `a` and `b` of the first operand, `c` and `d` of the second.
+pub(crate) const fn lanes(a: i32, b: i32, c: i32, d: i32) -> i32 {
+    a | b << 2 | c << 4 | d << 6
+}

@@ -60,6 +60,22 @@ impl FromStr for StructureKind {
     }
 }
 
+/// A structure is not over the mesh that it is to be used with.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum OtherMesh {
+    /// Another number of triangles.
+    #[error("the tree is over {tree} triangles, the scene has {mesh}")]
+    Count {
+        /// Triangles of the structure.
+        tree: usize,
+        /// Triangles of the mesh.
+        mesh: usize,
+    },
+    /// A triangle that is elsewhere, or there twice, or not at all.
+    #[error("triangle {0} of the tree is not that of the scene")]
+    Triangle(usize),
+}
+
 /// A structure of any kind.
 #[derive(Clone, Debug)]
 pub enum Structure {
@@ -101,6 +117,45 @@ impl Structure {
             Self::Bvh8(_) => StructureKind::Bvh8,
             Self::Dst(_) => StructureKind::Dst,
         }
+    }
+
+    /// The leaves' triangles.
+    #[must_use]
+    pub fn triangles(&self) -> &Arc<[Triangle]> {
+        match self {
+            Self::Bvh2(bvh) => &bvh.triangles,
+            Self::Bvh4(bvh) => &bvh.triangles,
+            Self::Bvh8(bvh) => &bvh.triangles,
+            Self::Dst(dst) => &dst.triangles,
+        }
+    }
+
+    /// Proves that the structure holds each triangle of `mesh` once and no other, bit for bit; for one that is loaded.
+    ///
+    /// # Errors
+    /// [`OtherMesh`], the first difference.
+    pub fn check_over(&self, mesh: &Mesh) -> Result<(), OtherMesh> {
+        let triangles = self.triangles();
+        if triangles.len() != mesh.triangles.len() {
+            return Err(OtherMesh::Count { tree: triangles.len(), mesh: mesh.triangles.len() });
+        }
+        let mut found = vec![false; triangles.len()];
+        for triangle in triangles.iter() {
+            let index = triangle.index() as usize;
+            let differs = |corners: [[f32; 3]; 3]| {
+                triangle
+                    .corners()
+                    .as_flattened()
+                    .iter()
+                    .zip(corners.as_flattened())
+                    .any(|(a, b)| a.to_bits() != b.to_bits())
+            };
+            match found.get_mut(index) {
+                Some(found) if !*found && !differs(mesh.corners(index)) => *found = true,
+                _ => return Err(OtherMesh::Triangle(index)),
+            }
+        }
+        Ok(())
     }
 
     /// Bytes of the nodes, without the triangles.

@@ -18,7 +18,8 @@ use crate::bvh::{Bvh, BvhDefect, BvhNode};
 use crate::dst::{Dst, DstDefect};
 use crate::structure::Structure;
 use crate::triangle::Triangle;
-use std::io::{self, Write};
+use scenes::output::{WriteError, write_file};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -27,11 +28,11 @@ const VERSION: &[u8; 2] = b"01";
 const HEADER_BYTES: usize = 8 + 4 + 4 + 24 + 8 + 8;
 const CHECKSUM_BYTES: usize = 4;
 
-/// Why a tree file cannot be written or read.
+/// Why a tree file cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum TreeFileError {
     /// The file system refuses.
-    #[error("{path}: {source}")]
+    #[error("{}: cannot read ({source})", path.display())]
     Io {
         /// The file.
         path: PathBuf,
@@ -39,7 +40,7 @@ pub enum TreeFileError {
         source: io::Error,
     },
     /// The contents are not a tree file of this version, or are damaged.
-    #[error("{path}: {reason}; write the tree again with this version")]
+    #[error("{}: {reason}; save the tree again with this version", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
@@ -87,26 +88,12 @@ pub enum Damage {
     Triangle(usize),
 }
 
-/// Writes `structure` to `path`, replacing what is there only once all is written.
+/// Writes `structure` to `path`, whole or not at all; an existing file is replaced only if `force` is set.
 ///
 /// # Errors
-/// [`TreeFileError::Io`].
-pub fn save(structure: &Structure, path: &Path) -> Result<(), TreeFileError> {
-    let io_error = |source| TreeFileError::Io { path: path.to_owned(), source };
-    let mut temporary = path.as_os_str().to_owned();
-    temporary.push(".partial");
-    let temporary = PathBuf::from(temporary);
-    let written = std::fs::File::create(&temporary)
-        .and_then(|mut file| {
-            file.write_all(&to_bytes(structure))?;
-            file.sync_all()
-        })
-        .and_then(|()| std::fs::rename(&temporary, path));
-    written.map_err(|error| {
-        // Nothing more can be done if the half-written file cannot be removed either.
-        let _ = std::fs::remove_file(&temporary);
-        io_error(error)
-    })
+/// See [`WriteError`].
+pub fn save(structure: &Structure, path: &Path, force: bool) -> Result<(), WriteError> {
+    write_file(path, force, |out| out.write_all(&to_bytes(structure)))
 }
 
 /// Reads the structure in `path`.
@@ -244,7 +231,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         for structure in structures() {
             let path = folder.path().join(structure.kind().name());
-            save(&structure, &path).unwrap();
+            save(&structure, &path, false).unwrap();
+            assert!(matches!(save(&structure, &path, false), Err(WriteError::Exists(_))));
+            save(&structure, &path, true).unwrap();
             let loaded = load(&path).unwrap();
             assert_eq!(to_bytes(&loaded), to_bytes(&structure));
         }

@@ -5,10 +5,11 @@ mod peer;
 mod support;
 
 use golden::build::{BinaryTree, BuildError, BuildOptions, MAX_DEPTH, Quality, build};
+use golden::stress::shapes::soup;
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use proptest::prelude::*;
 use scenes::Mesh;
-use support::{random_soup, soup};
+use support::random_soup;
 
 const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Medium, Quality::High];
 

@@ -1,7 +1,5 @@
 //! A hit lies on the ray's segment: nothing behind the origin is found, even from inside a triangle's bounding box.
 
-mod support;
-
 use golden::traverse::brute_force;
 use golden::{Mode, Ray};
 use proptest::prelude::*;
@@ -29,7 +27,7 @@ proptest! {
         // So far from the plane that rounding cannot decide, and away from it.
         prop_assume!(height.abs() > 1e-4);
         let direction = if height * slope < 0.0 { direction.map(|d| -d) } else { direction };
-        let mesh = support::soup([triangle]);
+        let mesh = golden::stress::shapes::soup([triangle]);
         let packed = [golden::triangle::Triangle::new(&mesh, 0, true)];
         for mode in [Mode::Fast, Mode::Robust] {
             prop_assert_eq!(brute_force(&packed, &Ray::new(origin, direction), mode), None);

@@ -8,6 +8,6 @@ listing() {
     "${CLANG:-clang-14}" --target=mips-linux-gnu -mips32 -mfp32 -fno-pic -mno-abicalls -O3 -ffp-contract=off \
         -fno-integrated-as -S -o - "$@" |
         sed -E 's/#([^:].*)?$//; s/[[:space:]]+$//; s/\t/ /g; s/^ /    /' |
-        grep -Ev '^ *(\..*|\$func_end.*|)$'
+        grep -Ev '^ *(\..*|\$func_end.*|\$CPI.*|)$'
 }
 listing "$@"

@@ -4,7 +4,20 @@
 #define INLINE static inline __attribute__((always_inline))
 
 // Words of the parameter block at the start of memory.
-enum { PARAM_RAYS = 1, PARAM_OUT = 7, PARAM_NODES = 8, PARAM_RAY_BASE = 14 };
+enum {
+    PARAM_RAYS = 1,
+    PARAM_BOUNCES = 2,
+    PARAM_INVERSE_WIDTH = 3,
+    PARAM_WIDTH = 4,
+    PARAM_OUT = 7,
+    PARAM_NODES = 8,
+    PARAM_TRIANGLES = 9,
+    PARAM_RAY_BASE = 14,
+    PARAM_CAMERA = 16, // eye, corner, right, down
+    PARAM_LIGHT = 28,  // position, intensity
+    PARAM_BACKGROUND = 34,
+    PARAM_ROOT = 40, // box, and word 0 of a BVH's root
+};
 
 #define LOAD_INT(what, address, offset)                                                                      \
     ({                                                                                                       \
@@ -33,6 +46,38 @@ INLINE float maximum(float a, float b) {
     asm("FPMAX %0, %1, %2" : "=f"(r) : "f"(a), "f"(b));
     return r;
 }
+INLINE float inverse_square_root(float a) {
+    float r;
+    asm("FPINVSQRT %0, %1" : "=f"(r) : "f"(a));
+    return r;
+}
+// A sample of the unit interval; SimTRaX has it, and sine and cosine, as operations of the adders.
+INLINE float random_number(void) {
+    float r;
+    asm volatile("RAND %0" : "=f"(r));
+    return r;
+}
+INLINE float sine(float a) {
+    float r;
+    asm("SIN %0, %1" : "=f"(r) : "f"(a));
+    return r;
+}
+INLINE float cosine(float a) {
+    float r;
+    asm("COS %0, %1" : "=f"(r) : "f"(a));
+    return r;
+}
+INLINE int bits(float a) {
+    int r;
+    asm("mfc1 %0, %1" : "=r"(r) : "f"(a));
+    return r;
+}
+INLINE float from_bits(int a) {
+    float r;
+    asm("mtc1 %1, %0" : "=f"(r) : "r"(a));
+    return r;
+}
+INLINE float absolute(float a) { return __builtin_fabsf(a); }
 // The next number of the counter that all threads share.
 INLINE int next_item(void) {
     int r;

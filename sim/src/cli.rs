@@ -4,10 +4,13 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use golden::Mode;
 use golden::build::Quality;
+use golden::precision::Variant;
 use golden::render::Test;
 use golden::structure::StructureKind;
 use hdl::catalogue::{StandardFormat, Top};
+use sim::machine::frame::MachineStructure;
 use sim::picture::heatmap::Quantity;
+use sim::stress::Method;
 use std::path::PathBuf;
 
 /// Dual-split trees against bounding volume hierarchies: build, trace, render, compare.
@@ -43,7 +46,7 @@ pub struct Global {
 pub enum Command {
     /// List the built-in scenes, or write one to an OBJ file.
     Scenes(ScenesArgs),
-    /// Build all structures over a scene and print their sizes, costs and histograms.
+    /// Build all structures over a scene and print their sizes, costs and histograms; save one to a file.
     Tree(TreeArgs),
     /// Trace a file of rays for their closest hits and write the hits.
     Trace(TraceArgs),
@@ -59,6 +62,19 @@ pub enum Command {
     Export(ExportArgs),
     /// Write a waveform of rays in the hardware.
     Wave(WaveArgs),
+    /// Chart a cost against an error, over formats of the hardware.
+    Chart(ChartArgs),
+    /// Run every structure and arithmetic against exact answers on inputs made to break them; exit code 1 if a method
+    /// that must lose no hit loses one.
+    Stress(StressArgs),
+    /// Find the least hardware that a scene needs at an error budget, and write it as TOML with a chart of each knee.
+    Needs(NeedsArgs),
+    /// Estimate area, energy and clock of the pipelines, beside the published figures.
+    Estimate(EstimateArgs),
+    /// Time a frame on a many-core machine, or the public simulator's reference runs.
+    Simulate(SimulateArgs),
+    /// The paper's study: all built-in scenes, eight structures, both tests, on the many-core machine.
+    Study(StudyArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),
 }
@@ -134,6 +150,55 @@ pub struct TreeArgs {
     pub scene: SceneArgs,
     #[command(flatten)]
     pub quality: QualityArgs,
+    /// Save a structure to this file, for --tree of other commands.
+    #[arg(long, value_name = "FILE")]
+    pub save: Option<PathBuf>,
+    /// The structure to save; dst_scratch is the dual-split tree with a partition of its own.
+    #[arg(long, default_value = "dst", requires = "save", value_parser = row())]
+    pub structure: TreeRow,
+}
+
+/// A line of the table of trees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeRow {
+    /// Converted from the one binary hierarchy.
+    Converted(StructureKind),
+    /// The dual-split tree of a partition that is made for it.
+    DstScratch,
+}
+
+impl TreeRow {
+    /// All of them, in the order of the table.
+    pub const ALL: [Self; StructureKind::ALL.len() + 1] = {
+        let mut all = [Self::DstScratch; StructureKind::ALL.len() + 1];
+        let mut i = 0;
+        while i < StructureKind::ALL.len() {
+            all[i] = Self::Converted(StructureKind::ALL[i]);
+            i += 1;
+        }
+        all
+    };
+
+    /// The name on the command line and in result files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converted(kind) => kind.name(),
+            Self::DstScratch => "dst_scratch",
+        }
+    }
+}
+
+/// The structure that rays are traced through: built, or loaded from a file.
+#[derive(Args, Clone, Debug)]
+pub struct StructureArgs {
+    /// The structure that rays are traced through; all give the same hits.
+    #[arg(long, default_value = "dst", value_parser = structure())]
+    pub structure: StructureKind,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Load the structure from this file, which `dualsplit tree SCENE --save FILE` has written, instead of building it.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["structure", "quality"])]
+    pub tree: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]
@@ -143,13 +208,10 @@ pub struct TraceArgs {
     /// The rays to trace, a DSTRAYS1 file.
     #[arg(long, value_name = "FILE")]
     pub rays: PathBuf,
-    /// The structure to trace them through.
-    #[arg(long, default_value = "dst", value_parser = structure())]
-    pub structure: StructureKind,
+    #[command(flatten)]
+    pub structure: StructureArgs,
     #[command(flatten)]
     pub mode: ModeArgs,
-    #[command(flatten)]
-    pub quality: QualityArgs,
     /// Where to write the hits, a DSTHITS1 file.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -159,16 +221,13 @@ pub struct TraceArgs {
 pub struct RenderArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// The structure that rays are traced through; all give the same picture.
-    #[arg(long, default_value = "dst", value_parser = structure())]
-    pub structure: StructureKind,
+    #[command(flatten)]
+    pub structure: StructureArgs,
     /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
     #[arg(long, default_value = "path", value_parser = test())]
     pub test: Test,
     #[command(flatten)]
     pub mode: ModeArgs,
-    #[command(flatten)]
-    pub quality: QualityArgs,
     #[command(flatten)]
     pub view: ViewArgs,
     /// Samples per pixel.
@@ -222,12 +281,23 @@ pub struct CheckArgs {
     /// The unit or pipeline [default: all].
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Option<Top>,
-    /// Cycles to run through each, stalls and bubbles included.
+    /// Operations to compare for each, besides stalls and bubbles.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
     /// Put the Nth of the unit's faults into its netlist first, counted from 0, to see the check fail.
-    #[arg(long, value_name = "N", requires = "unit")]
+    #[arg(long, value_name = "N", requires = "unit", conflicts_with_all = ["exhaustive", "prove"])]
     pub mutate: Option<usize>,
+    /// Compare all pairs of operands of a format of at most 16 bits instead, in every mode of the unit: add, sub, mul, min,
+    /// max, lt, le or eq.
+    #[arg(long, num_args = 2, value_names = ["FORMAT", "OP"], conflicts_with_all = ["unit", "vectors", "prove"])]
+    pub exhaustive: Option<Vec<String>>,
+    /// Where an interrupted exhaustive check continues from [default: check-FORMAT-OP.json]; removed when all is done.
+    #[arg(long, value_name = "FILE", requires = "exhaustive")]
+    pub state: Option<PathBuf>,
+    /// Prove instead, for all inputs and states: units and control against independent references, and the exported
+    /// Verilog, read back by yosys if that is installed, against the simulated graph.
+    #[arg(long)]
+    pub prove: bool,
 }
 
 #[derive(Args, Debug)]
@@ -272,6 +342,171 @@ pub struct WaveArgs {
 }
 
 #[derive(Args, Debug)]
+pub struct ChartArgs {
+    #[command(subcommand)]
+    pub chart: ChartKind,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum ChartKind {
+    /// Visits, lost hits and image error in every format, rounded naively and conservatively: CSV and SVG.
+    Precision(PrecisionArgs),
+}
+
+#[derive(Args, Debug)]
+pub struct PrecisionArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The structure that rays are traced through.
+    #[arg(long, default_value = "dst", value_parser = structure())]
+    pub structure: StructureKind,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "64x64", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    /// The folder to write; one that this command made before is written anew [default: precision-SCENE].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct StressArgs {
+    /// Rays of each of the known cases, at most; interpreted netlists get a fiftieth.
+    #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub rays: u64,
+    /// Rays that are aimed at corners, edges and faces of four meshes; interpreted netlists get 16 of each 16,384.
+    #[arg(long, default_value_t = 20_000, value_name = "N")]
+    pub aimed: u64,
+    /// Rays per method and mesh that a search walks towards the worst.
+    #[arg(long, default_value_t = 8, value_name = "N")]
+    pub searches: u64,
+    /// Only this method, such as dst/binary32-robust, bvh2/bfloat16-naive, rtl/binary32-fast; may be repeated.
+    #[arg(long, value_name = "METHOD")]
+    pub method: Vec<Method>,
+    /// Draw the rays around a failure of each kind.
+    #[arg(long, default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
+    pub pictures: bool,
+    /// The folder to write; one that this command made before is written anew.
+    #[arg(long, default_value = "stress", value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
+pub struct NeedsArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    /// conservative: never loses a hit, may visit more; naive: everything rounded to nearest.
+    #[arg(long, default_value = "conservative", value_parser = one_of(Variant::ALL, Variant::name))]
+    pub variant: Variant,
+    /// Greatest root mean square error of linear radiance against binary32.
+    #[arg(long, default_value_t = 0.0, value_name = "RMSE", value_parser = not_negative)]
+    pub max_image_error: f64,
+    /// Greatest number of rays that hit nothing and should.
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    pub max_false_miss: u64,
+    /// Node visits beyond those of binary32, as a fraction of them.
+    #[arg(long, default_value_t = 0.05, value_name = "FRACTION", value_parser = not_negative)]
+    pub max_extra_visits: f64,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "48x48", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    /// The folder to write; one that this command made before is written anew [default: needs-SCENE].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct EstimateArgs {
+    /// Standard cells to map to: a liberty file, which may be gzip-compressed; several if a library has several
+    /// [default: an embedded table].
+    #[arg(long, value_name = "FILE")]
+    pub liberty: Vec<PathBuf>,
+    /// Synthesise the exported Verilog with yosys and ABC too, for minutes, and print both.
+    #[arg(long)]
+    pub synth: bool,
+    /// The scene whose rays make the nets change: a built-in one or an OBJ file, which may be xz-compressed.
+    #[arg(long, default_value = "courtyard")]
+    pub scene: String,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// A folder for the report as text, CSV, JSON and HTML; one that this command made before is written anew.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct MachineArgs {
+    /// The machine: a preset (trax or simtrax-reference) or a TOML file.
+    #[arg(long, default_value = "trax", value_name = "MACHINE")]
+    pub machine: String,
+    /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub settings: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+#[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config"])))]
+pub struct SimulateArgs {
+    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    pub scene: Option<String>,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    /// The structure, with its program and its pipeline: dst-sw decodes in software, + is parallel pipelines.
+    #[arg(long, default_value = "dst", value_parser = machine_structure())]
+    pub structure: MachineStructure,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "128x128", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// Also write the results as CSV: quantity, value, unit, meaning.
+    #[arg(long, value_name = "FILE", requires = "scene")]
+    pub csv: Option<PathBuf>,
+    /// Make the reference runs of a folder, with the preset simtrax-reference, and compare; exit code 1 if a quantity is
+    /// not within its tolerance.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
+    pub validate: Option<PathBuf>,
+    /// Print the machine as a TOML file.
+    #[arg(long)]
+    pub dump_config: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct StudyArgs {
+    /// quick: small scenes and images; paper: full-size scenes, 256x256 pixels, 32 multiprocessors, hours.
+    #[arg(long, default_value = "quick", value_parser = ["quick", "paper"])]
+    pub preset: String,
+    /// Only this scene: the runs of a study can be shared out and go on where they were interrupted.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// The folder to write; runs that it already holds are not repeated.
+    #[arg(long, default_value = "study", value_name = "DIR")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    #[command(flatten)]
+    pub machine: MachineArgs,
+}
+
+#[derive(Args, Debug)]
 pub struct ReproduceArgs {
     /// smoke: minute scenes and pictures, seconds; quick: small ones, under two minutes on two cores.
     #[arg(long, default_value = "quick", value_parser = ["smoke", "quick"])]
@@ -312,6 +547,14 @@ fn structure() -> impl TypedValueParser<Value = StructureKind> {
     one_of(StructureKind::ALL, StructureKind::name)
 }
 
+fn row() -> impl TypedValueParser<Value = TreeRow> {
+    one_of(TreeRow::ALL, TreeRow::name)
+}
+
+fn machine_structure() -> impl TypedValueParser<Value = MachineStructure> {
+    one_of(MachineStructure::ALL, MachineStructure::name)
+}
+
 fn test() -> impl TypedValueParser<Value = Test> {
     one_of(Test::ALL, Test::name)
 }
@@ -334,6 +577,13 @@ pub fn quality_name(quality: Quality) -> &'static str {
         Quality::Fast => "fast",
         Quality::Medium => "medium",
         Quality::High => "high",
+    }
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x >= 0.0 && x.is_finite() => Ok(x),
+        _ => Err("write a number that is not negative, such as 0.05".to_owned()),
     }
 }
 

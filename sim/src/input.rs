@@ -1,10 +1,11 @@
 //! What the commands start from: scenes, trees, views, and names of files to write.
 
-use crate::cli::{Global, SceneArgs, ViewArgs};
+use crate::cli::{Global, SceneArgs, StructureArgs, ViewArgs, quality_name};
 use crate::console;
 use anyhow::{Context, bail, ensure};
-use golden::build::{BinaryTree, BuildOptions, Quality, build};
+use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
+use golden::tree_file;
 use golden::triangle::Triangle;
 use scenes::Scene;
 use std::path::Path;
@@ -33,10 +34,19 @@ impl Built {
     /// Builds the hierarchy over `scene`.
     pub fn new(scene: &Scene, quality: Quality) -> anyhow::Result<Self> {
         let progress = console::spinner(format!("building over {}", scene.name));
-        let start = Instant::now();
-        let tree = build(&scene.mesh, &BuildOptions::new(quality)).with_context(|| scene.name.clone())?;
-        let build_ms = milliseconds(start);
+        let built = Self::with(scene, || build(&scene.mesh, &BuildOptions::new(quality)))?;
         progress.finish_and_clear();
+        Ok(built)
+    }
+
+    /// Takes the hierarchy over `scene` that `build` makes.
+    pub fn with(
+        scene: &Scene,
+        build: impl FnOnce() -> Result<BinaryTree, BuildError>,
+    ) -> anyhow::Result<Self> {
+        let start = Instant::now();
+        let tree = build().with_context(|| scene.name.clone())?;
+        let build_ms = milliseconds(start);
         let triangles = pack_triangles(&scene.mesh, &tree);
         Ok(Self { tree, triangles, build_ms })
     }
@@ -47,6 +57,22 @@ impl Built {
         let structure = Structure::convert(kind, &self.tree, &self.triangles)?;
         Ok((structure, milliseconds(start)))
     }
+}
+
+/// The structure that rays are traced through, and the preset that it was built with; none is known of one from a file.
+pub fn structure(scene: &Scene, args: &StructureArgs) -> anyhow::Result<(Structure, Option<&'static str>)> {
+    let Some(path) = &args.tree else {
+        let quality = args.quality.quality;
+        let (structure, _) = Built::new(scene, quality)?.convert(args.structure)?;
+        return Ok((structure, Some(quality_name(quality))));
+    };
+    let progress = console::spinner(format!("loading {}", path.display()));
+    let structure = tree_file::load(path)?;
+    structure.check_over(&scene.mesh).with_context(|| {
+        format!("{}: not a tree over {}; save one of this scene", path.display(), scene.name)
+    })?;
+    progress.finish_and_clear();
+    Ok((structure, None))
 }
 
 /// Milliseconds since `start`.

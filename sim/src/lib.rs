@@ -1,12 +1,16 @@
-//! What the tool `dualsplit` is made of, as a library: pictures and their comparison, traversal step by step, waveforms'
-//! inputs, the hardware as gates, its area and energy, and the machine that it is part of.
+//! What the tool `dualsplit` is made of, as a library: pictures and charts, fast simulation of the hardware, the hardware as
+//! gates with its area and energy, and the machine that it is part of.
 
+pub mod charts;
 pub mod drive;
 pub mod estimate;
 pub mod gates;
+pub mod logic;
 pub mod machine;
+pub mod needs;
 pub mod picture;
 pub mod plot;
 pub mod report;
+pub mod stress;
 pub mod unit_costs;
 pub mod walk;

@@ -36,7 +36,7 @@ fn tree() {
     assert_eq!(document["triangles"], 6);
     let structures = document["structures"].as_array().unwrap();
     let names: Vec<_> = structures.iter().map(|s| s["name"].as_str().unwrap()).collect();
-    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "dst"]);
+    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "dst", "dst_scratch"]);
     for s in structures {
         has_keys(
             s,
@@ -56,6 +56,50 @@ fn tree() {
     let text = String::from_utf8(work.run("tree scene.obj").stdout).unwrap();
     for words in ["| bvh8", "Leaves by depth", "Children by number of carve nodes"] {
         assert!(text.contains(words), "{text}");
+    }
+}
+
+#[test]
+fn saved_trees() {
+    let work = Workplace::new();
+    let size = "--size 40x30";
+    work.json(&format!("render scene.obj {size} --out built.png --rays a.rays"));
+    work.json("trace scene.obj --rays a.rays --out built.hits");
+    for structure in ["bvh2", "bvh4", "bvh8", "dst", "dst_scratch"] {
+        let document = work.json(&format!("tree scene.obj --save {structure}.tree --structure {structure}"));
+        assert_eq!(document["saved"], format!("{structure}.tree"));
+        let trace = work
+            .json(&format!("trace scene.obj --rays a.rays --tree {structure}.tree --out {structure}.hits"));
+        assert_eq!(trace["structure"], structure.trim_end_matches("_scratch"));
+        assert_eq!(work.read(&format!("{structure}.hits")), work.read("built.hits"));
+        work.json(&format!("render scene.obj {size} --tree {structure}.tree --out {structure}.png"));
+        assert_eq!(work.read(&format!("{structure}.png")), work.read("built.png"));
+    }
+    assert_ne!(work.read("bvh2.tree"), work.read("dst.tree"));
+    work.refused("tree scene.obj --save dst.tree", &["dst.tree", "--force"]);
+    work.json("tree scene.obj --save dst.tree --force");
+    work.refused("tree scene.obj --structure bvh2", &["--save"]);
+    work.refused("tree scene.obj --save nowhere/a.tree", &["nowhere"]);
+
+    let trace = |tree: &str| format!("trace scene.obj --rays a.rays --tree {tree}");
+    work.refused(&format!("{} --structure bvh2", trace("dst.tree")), &["--structure", "--tree"]);
+    work.refused(&format!("{} --quality fast", trace("dst.tree")), &["--quality", "--tree"]);
+    work.refused(&trace("missing.tree"), &["missing.tree"]);
+    work.refused(&trace("scene.obj"), &["scene.obj", "not a dual-split tree file"]);
+    let mut bytes = work.read("dst.tree");
+    work.write("short.tree", &bytes[..bytes.len() - 1]);
+    work.refused(&trace("short.tree"), &["short.tree", "bytes", "save the tree again"]);
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 4;
+    work.write("damaged.tree", &bytes);
+    work.refused(&trace("damaged.tree"), &["damaged.tree", "checksum"]);
+
+    let scene = String::from_utf8(work.read("scene.obj")).unwrap();
+    work.write("moved.obj", scene.replace("v 0 1.5 0", "v 0 1.25 0").as_bytes());
+    work.write("smaller.obj", scene.replace("f 1 2 5\n", "").as_bytes());
+    for (other, words) in [("moved.obj", "triangle"), ("smaller.obj", "6 triangles, the scene has 5")] {
+        let line = format!("--tree dst.tree --out a.png {size}");
+        work.refused(&format!("render {other} {line}"), &["dst.tree", words, "save one of this scene"]);
     }
 }
 
@@ -302,6 +346,30 @@ fn check() {
     );
     work.refused("check --unit fp_cmp --mutate 100000", &["--mutate 100000", "fp_cmp has"]);
     work.refused("check --mutate 0", &["--unit"]);
+}
+
+#[test]
+fn exhaustive_check() {
+    let work = Workplace::new();
+    let document = work.json("check --exhaustive e5m2 mul");
+    let unit = &document["units"][0];
+    has_keys(unit, &["name", "vectors", "mismatches", "vectors_per_second"]);
+    assert_eq!(unit["vectors"], 5 << 16);
+    assert_eq!(unit["mismatches"], 0);
+    let state = work.path("check-e5m2-mul.json");
+    assert!(!state.exists(), "the state is removed when all is done");
+    // What is left of an interrupted run is done, no more; a mismatch found before is not forgotten.
+    let left = r#"{"format":"e5m2","operation":"mul","blocks":1279,"vectors":7,"mismatches":1,"first":"so"}"#;
+    std::fs::write(&state, left).unwrap();
+    let output = work.run("check --exhaustive e5m2 mul --json");
+    assert_eq!(output.status.code(), Some(1));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(document["units"][0]["vectors"], 7 + 256);
+    assert_eq!(document["units"][0]["first_mismatch"], "so");
+    std::fs::write(&state, left.replace("mul", "add")).unwrap();
+    work.refused("check --exhaustive e5m2 mul", &["check-e5m2-mul.json", "--state"]);
+    work.refused("check --exhaustive binary32 mul", &["2^64", "--vectors"]);
+    work.refused("check --exhaustive e5m2 div", &["`div`", "add, sub"]);
 }
 
 #[test]

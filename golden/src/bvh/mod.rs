@@ -99,7 +99,8 @@ impl<const N: usize> Bvh<N> {
     #[must_use]
     pub fn children(&self, word: u32) -> &[BvhNode] {
         let first = INDEX.get(word) as usize;
-        let count = SIBLINGS.get(self.nodes[first].word) as usize + 1;
+        // Every inner node of a binary hierarchy has two.
+        let count = if N == 2 { 2 } else { SIBLINGS.get(self.nodes[first].word) as usize + 1 };
         &self.nodes[first..first + count]
     }
 

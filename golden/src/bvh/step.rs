@@ -14,7 +14,7 @@
 
 use crate::Aabb;
 use crate::fp::{maximum, maximum_number, minimum, minimum_number};
-use crate::ray::TraversalRay;
+use crate::ray::PlaneDistances;
 
 /// The outcome of a ray-box test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub struct BoxStep {
 
 /// Tests `bounds` against the part `t_min..=t_max` of `ray`.
 #[must_use]
-pub fn box_step(bounds: &Aabb, ray: &TraversalRay, t_min: f32, t_max: f32) -> BoxStep {
+pub fn box_step<R: PlaneDistances>(bounds: &Aabb, ray: &R, t_min: f32, t_max: f32) -> BoxStep {
     let mut near = [0.0; 3];
     let mut far = [0.0; 3];
     for axis in 0..3 {

@@ -100,15 +100,18 @@ impl Dst {
         self.memory[offset..offset + NODE_WORDS as usize].try_into().expect("three words")
     }
 
-    /// [`Dst::node`] without a check, for the innermost loop.
+    /// The header and the planes at `offset` without a check, for the innermost loop.
     ///
     /// # Safety
     /// `offset` has to be below the number of words, as is every offset that a header of a valid tree holds.
     #[inline(always)]
-    pub(crate) unsafe fn node_unchecked(&self, offset: u32) -> [u32; NODE_WORDS as usize] {
+    pub(crate) unsafe fn node_unchecked(&self, offset: u32) -> (u32, &[f32; 2]) {
         debug_assert!((offset as usize) < self.words().len());
-        // SAFETY: the caller's promise; PADDING words follow the tree, and u32 is aligned as an array of it is.
-        unsafe { *self.memory.as_ptr().add(offset as usize).cast() }
+        // SAFETY: the caller's promise; PADDING words follow the tree, and f32 is aligned and as free of invalid bits as u32.
+        unsafe {
+            let node = self.memory.as_ptr().add(offset as usize);
+            (*node, &*node.add(1).cast())
+        }
     }
 
     /// Bytes of the nodes, without the triangles.

@@ -15,7 +15,7 @@
 
 use super::header::{AXIS, CARVE, LEAF, OFFSET, SINGLE, SIZE, dual_axes};
 use crate::fp::{maximum_number, minimum_number};
-use crate::ray::TraversalRay;
+use crate::ray::PlaneDistances;
 
 /// What the caller does next; the pipeline's two-bit return value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +57,7 @@ pub struct Step {
 ///
 /// Words 1 and 2 of a bare leaf are ignored. Reserved header codes give some result, never a panic.
 #[must_use]
-pub fn step(words: [u32; 3], ray: &TraversalRay, t_min: f32, t_max: f32) -> Step {
+pub fn step<R: PlaneDistances>(words: [u32; 3], ray: &R, t_min: f32, t_max: f32) -> Step {
     let header = words[0];
     let planes = [f32::from_bits(words[1]), f32::from_bits(words[2])];
     let offset = OFFSET.get(header);
@@ -77,7 +77,7 @@ pub fn step(words: [u32; 3], ray: &TraversalRay, t_min: f32, t_max: f32) -> Step
     }
 }
 
-fn split(header: u32, planes: [f32; 2], ray: &TraversalRay, parent: Child) -> Step {
+fn split(header: u32, planes: [f32; 2], ray: &impl PlaneDistances, parent: Child) -> Step {
     let axis = axis_index(AXIS.get(header));
     let negative = ray.is_negative(axis);
     let (left, right) = (parent.offset, parent.offset + SIZE.get(header));
@@ -101,7 +101,7 @@ fn split(header: u32, planes: [f32; 2], ray: &TraversalRay, parent: Child) -> St
     }
 }
 
-fn carve(header: u32, planes: [f32; 2], ray: &TraversalRay, parent: Child) -> Child {
+fn carve(header: u32, planes: [f32; 2], ray: &impl PlaneDistances, parent: Child) -> Child {
     let size = SIZE.get(header);
     let (axes, is_min) = match AXIS.get(header) {
         SINGLE => ([size; 2], [false, true]),

@@ -42,6 +42,19 @@ pub(super) fn render<S: Trace>(
     Rendering { width: options.width, height: options.height, pixels, totals, rays }
 }
 
+/// Renders one pixel with valid options.
+pub(super) fn pixel<S: Trace>(
+    structure: &S,
+    scene: &Scene,
+    camera: &CameraRays,
+    options: &RenderOptions,
+    [x, y]: [u32; 2],
+) -> Pixel {
+    let mut row = Row::new(options);
+    Tracer { structure, scene, options, row: &mut row, work: Work::default() }.pixel(camera, x, y);
+    row.pixels.pop().expect("one pixel")
+}
+
 fn join_waves(rows: &[Row], totals: &[ClassTotals; RayClass::WAVES]) -> RayStream {
     let mut stream = RayStream::default();
     stream.rays.reserve_exact(totals.iter().map(|class| class.rays as usize).sum());

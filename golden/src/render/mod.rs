@@ -168,6 +168,37 @@ pub fn render<S: Trace>(
     options: &RenderOptions,
     rows_done: impl Fn(u64) + Sync,
 ) -> Result<Rendering, RenderError> {
+    let camera = check(scene, options)?;
+    Ok(integrate::render(structure, scene, &camera, options, rows_done))
+}
+
+/// The pixels of a picture one by one, for whoever wants to know which rays belong to which.
+pub struct PixelRenderer<'a> {
+    scene: &'a Scene,
+    options: RenderOptions,
+    camera: CameraRays,
+}
+
+impl<'a> PixelRenderer<'a> {
+    /// Prepares the pixels of the picture that [`render`] makes.
+    ///
+    /// # Errors
+    /// See [`RenderError`].
+    pub fn new(scene: &'a Scene, options: &RenderOptions) -> Result<Self, RenderError> {
+        Ok(Self { scene, options: *options, camera: check(scene, options)? })
+    }
+
+    /// The pixel at column and row `place`, with its rays traced through `structure` one after another.
+    ///
+    /// # Panics
+    /// If `structure` was not built over the scene's mesh.
+    pub fn pixel<S: Trace>(&self, structure: &S, place: [u32; 2]) -> Pixel {
+        integrate::pixel(structure, self.scene, &self.camera, &self.options, place)
+    }
+}
+
+/// The camera, if `scene` can be rendered so.
+fn check(scene: &Scene, options: &RenderOptions) -> Result<CameraRays, RenderError> {
     let RenderOptions { width, height, samples, .. } = *options;
     let sides = 1..=MAX_SIDE;
     if !sides.contains(&width) || !sides.contains(&height) || width * height > MAX_PIXELS {
@@ -190,8 +221,7 @@ pub fn render<S: Trace>(
             return Err(RenderError::NotFinite { name, value });
         }
     }
-    let camera = CameraRays::new(&scene.camera, width, height)?;
-    Ok(integrate::render(structure, scene, &camera, options, rows_done))
+    Ok(CameraRays::new(&scene.camera, width, height)?)
 }
 
 #[cfg(test)]

@@ -6,83 +6,83 @@
 //! the specification's steps; only the moment at which an empty child is noticed differs.
 
 use super::NoObserver;
-use super::dst_rows::Rows;
+use super::box_test::BoxTest;
+use super::dst_rows::{Interval, Intervals, Rows};
 use super::query::Query;
 use super::stack::Stack;
 use crate::build::MAX_DEPTH;
-use crate::bvh::box_step;
 use crate::dst::Dst;
 use crate::dst::header::{AXIS, CARVE, LEAF, OFFSET, SIZE};
-use crate::simd::F32x4;
 
 /// A child with the part of the ray that lies in it.
 #[derive(Clone, Copy)]
 struct Place {
     /// [`LEAF`] and [`OFFSET`] as in a header.
     target: u32,
-    t_min: f32,
-    t_max: f32,
+    interval: Interval,
 }
 
 /// Visits nodes until nothing nearer can be found, or with `ANY` until something is; returns whether it was.
 #[inline(always)]
 pub(super) fn traverse<const ANY: bool>(dst: &Dst, query: &mut Query<'_, ANY>) -> bool {
     let ray = query.ray;
-    let root = box_step(&dst.root_box, ray, ray.t_min, ray.t_max);
-    if !root.hit {
+    let Some([t_min, t_max]) = BoxTest::new(ray).interval(&dst.root_box, ray.t_max) else {
         return false;
-    }
+    };
     let rows = Rows::new(ray);
     let mut stack = Stack::<Place, { MAX_DEPTH as usize }>::new();
-    let mut here = Place { target: target(dst.node(0)[0], 0), t_min: root.t_entry, t_max: root.t_exit };
+    let mut here = target(dst.node(0)[0], 0);
+    // Of the node that is visited, for both of its children.
+    let mut intervals = Intervals::both(Interval { t_min, negated_t_max: -t_max });
     loop {
         loop {
-            if LEAF.get(here.target) == 1 {
-                if query.leaf(OFFSET.get(here.target), &mut NoObserver) {
+            if LEAF.get(here) == 1 {
+                if query.leaf(OFFSET.get(here), &mut NoObserver) {
                     return true;
                 }
                 break;
             }
             // SAFETY: a `Dst` is only made by conversion or by a validated load; its offsets are in range.
-            let node = unsafe { dst.node_unchecked(here.target) };
-            let header = node[0];
-            let (entry, exit) = (F32x4::splat(here.t_min), F32x4::splat(here.t_max));
+            let node = unsafe { dst.node_unchecked(here) };
+            let header = node.0;
             if CARVE.get(header) == 1 {
                 // The second or third of a chain; the first was tested with its split.
-                let (entry, exit) = rows.carve(node, node, entry, exit);
-                if entry.le(exit) & 1 == 0 {
+                intervals = rows.carve(node, node, intervals);
+                if intervals.not_empty() == 0 {
                     break;
                 }
-                here = Place { target: target(header, 0), t_min: entry.x(), t_max: exit.x() };
+                here = target(header, 0);
                 continue;
             }
             let left_at = OFFSET.get(header);
             let right_at = left_at + SIZE.get(header);
             // SAFETY: as above.
             let (left, right) = unsafe { (dst.node_unchecked(left_at), dst.node_unchecked(right_at)) };
-            let (entry, exit) = rows.split(node, entry, exit);
-            let (entry, exit) = rows.carve(left, right, entry, exit);
-            let left = Place { target: target(left[0], left_at), t_min: entry.x(), t_max: exit.x() };
-            let right = Place { target: target(right[0], right_at), t_min: entry.z(), t_max: exit.z() };
-            match entry.le(exit) & 0b101 {
-                0b101 => {
-                    let (near, far) =
-                        if rows.is_negative(AXIS.get(header)) { (right, left) } else { (left, right) };
+            let children = rows.carve(left, right, rows.split(node, intervals));
+            match children.not_empty() {
+                0b11 => {
+                    let (left, right) = (target(left.0, left_at), target(right.0, right_at));
+                    let far = if rows.is_negative(AXIS.get(header)) {
+                        (here, intervals) = (right, children.both_right());
+                        Place { target: left, interval: children.left() }
+                    } else {
+                        (here, intervals) = (left, children.both_left());
+                        Place { target: right, interval: children.right() }
+                    };
                     stack.push(far);
-                    here = near;
                 }
-                0b001 => here = left,
-                0b100 => here = right,
+                0b01 => (here, intervals) = (target(left.0, left_at), children.both_left()),
+                0b10 => (here, intervals) = (target(right.0, right_at), children.both_right()),
                 _ => break,
             }
         }
         loop {
-            let Some(next) = stack.pop() else {
+            let Some(Place { target, interval: Interval { t_min, negated_t_max } }) = stack.pop() else {
                 return false;
             };
-            if next.t_min <= query.t_max {
-                let t_max = if next.t_max < query.t_max { next.t_max } else { query.t_max };
-                here = Place { t_max, ..next };
+            if t_min <= query.t_max {
+                let negated_t_max = if negated_t_max > -query.t_max { negated_t_max } else { -query.t_max };
+                (here, intervals) = (target, Intervals::both(Interval { t_min, negated_t_max }));
                 break;
             }
         }

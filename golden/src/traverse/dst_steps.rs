@@ -4,20 +4,22 @@ use super::query::Query;
 use super::stack::Stack;
 use super::{Tests, Traversal};
 use crate::build::MAX_DEPTH;
-use crate::bvh::box_step;
+use crate::bvh::BoxStep;
 use crate::dst::header::{CARVE, LEAF, LEAF_WORDS, NODE_WORDS};
 use crate::dst::{Child, Code, Dst, Step};
-use crate::ray::TraversalRay;
 
 /// Visits nodes by `step` until nothing nearer can be found, or with `ANY` until something is; returns whether it was.
-pub(super) fn traverse<const ANY: bool, O: Traversal>(
+///
+/// `root` is the outcome of the root box's test. `limit` turns the distance of a hit, at first the ray's end, into
+/// what intervals are compared with.
+pub(crate) fn traverse<const ANY: bool, O: Traversal>(
     dst: &Dst,
+    root: BoxStep,
     query: &mut Query<'_, ANY>,
     observer: &mut O,
-    mut step: impl FnMut([u32; 3], &TraversalRay, f32, f32) -> Step,
+    mut step: impl FnMut([u32; 3], f32, f32) -> Step,
+    limit: impl Fn(f32) -> f32,
 ) -> bool {
-    let ray = query.ray;
-    let root = box_step(&dst.root_box, ray, ray.t_min, ray.t_max);
     if !root.hit {
         return false;
     }
@@ -30,7 +32,7 @@ pub(super) fn traverse<const ANY: bool, O: Traversal>(
         } else {
             observer.node(here.offset, NODE_WORDS, Tests::Planes);
         }
-        let outcome = step(words, ray, here.t_min, here.t_max);
+        let outcome = step(words, here.t_min, here.t_max);
         match outcome.code {
             Code::Two => {
                 stack.push(outcome.far);
@@ -49,14 +51,15 @@ pub(super) fn traverse<const ANY: bool, O: Traversal>(
             }
             Code::Miss => {}
         }
+        let nearest = limit(query.t_max);
         loop {
             let Some(next) = stack.pop() else {
                 return false;
             };
-            let discarded = next.t_min > query.t_max;
+            let discarded = next.t_min > nearest;
             observer.pop(discarded);
             if !discarded {
-                here = Child { t_max: crate::fp::minimum_number(next.t_max, query.t_max), ..next };
+                here = Child { t_max: crate::fp::minimum_number(next.t_max, nearest), ..next };
                 break;
             }
         }

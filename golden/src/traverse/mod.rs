@@ -9,20 +9,22 @@
 //! [`minimum_number`](crate::fp::minimum_number) in the sign of a zero at most: `t_min` is never NaN nor -0, and
 //! comparisons do not see the sign of `t_max`. [`Leaves`] steps through the specification itself.
 
+mod box_test;
 mod brute_force;
 mod bvh;
 mod dst;
 mod dst_rows;
-mod dst_steps;
+pub(crate) mod dst_steps;
 mod leaves;
 mod observer;
-mod query;
-mod stack;
+pub(crate) mod query;
+pub(crate) mod stack;
 
 pub use brute_force::brute_force;
 pub use leaves::{Leaf, Leaves};
 pub use observer::{Counters, NoObserver, Tests, Traversal};
 
+use crate::bvh::box_step;
 use crate::dst::{Dst, Step, step};
 use crate::ray::{Hit, Mode, Ray, TraversalRay};
 use query::Query;
@@ -53,7 +55,7 @@ impl Trace for Dst {
     fn closest_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit> {
         let mut query = Query::<false>::new(ray, &self.triangles);
         if O::ACTIVE {
-            dst_steps::traverse(self, &mut query, observer, step);
+            by_steps(self, &mut query, observer, step);
         } else {
             dst::traverse(self, &mut query);
         }
@@ -63,11 +65,7 @@ impl Trace for Dst {
     #[inline]
     fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
         let mut query = Query::<true>::new(ray, &self.triangles);
-        if O::ACTIVE {
-            dst_steps::traverse(self, &mut query, observer, step)
-        } else {
-            dst::traverse(self, &mut query)
-        }
+        if O::ACTIVE { by_steps(self, &mut query, observer, step) } else { dst::traverse(self, &mut query) }
     }
 }
 
@@ -81,7 +79,7 @@ pub fn closest_by_steps<O: Traversal>(
     step: impl FnMut([u32; 3], &TraversalRay, f32, f32) -> Step,
 ) -> Option<Hit> {
     let mut query = Query::<false>::new(ray, &dst.triangles);
-    dst_steps::traverse(dst, &mut query, observer, step);
+    by_steps(dst, &mut query, observer, step);
     query.hit()
 }
 
@@ -93,8 +91,19 @@ pub fn occluded_by_steps<O: Traversal>(
     step: impl FnMut([u32; 3], &TraversalRay, f32, f32) -> Step,
 ) -> bool {
     let mut query = Query::<true>::new(ray, &dst.triangles);
-    dst_steps::traverse(dst, &mut query, observer, step)
+    by_steps(dst, &mut query, observer, step)
+}
+
+fn by_steps<const ANY: bool, O: Traversal>(
+    dst: &Dst,
+    query: &mut Query<'_, ANY>,
+    observer: &mut O,
+    mut step: impl FnMut([u32; 3], &TraversalRay, f32, f32) -> Step,
+) -> bool {
+    let ray = query.ray;
+    let root = box_step(&dst.root_box, ray, ray.t_min, ray.t_max);
+    dst_steps::traverse(dst, root, query, observer, |words, low, high| step(words, ray, low, high), |t| t)
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -5,7 +5,7 @@ use crate::ray::{Hit, TraversalRay};
 use crate::triangle::{Triangle, TriangleHit, TriangleTest};
 
 /// A closest-hit query, or with `ANY` one that ends at the first hit.
-pub(super) struct Query<'a, const ANY: bool> {
+pub(crate) struct Query<'a, const ANY: bool> {
     pub ray: &'a TraversalRay,
     test: TriangleTest,
     triangles: &'a [Triangle],

@@ -3,7 +3,7 @@
 use std::mem::MaybeUninit;
 
 /// Up to `CAPACITY` entries.
-pub(super) struct Stack<T, const CAPACITY: usize> {
+pub(crate) struct Stack<T, const CAPACITY: usize> {
     entries: [MaybeUninit<T>; CAPACITY],
     len: usize,
 }

@@ -23,7 +23,7 @@ fn point() -> impl Strategy<Value = [f32; 3]> {
     [coordinate(), coordinate(), coordinate()]
 }
 
-fn mesh() -> impl Strategy<Value = Mesh> {
+pub(crate) fn mesh() -> impl Strategy<Value = Mesh> {
     let scale = prop_oneof![4 => Just(1.0f32), 1 => Just(1e-6), 1 => Just(1e9), 1 => Just(1e-30)];
     let triangles = prop::collection::vec([point(), point(), point()], 1..40);
     (scale, triangles, any::<bool>()).prop_map(|(scale, mut corners, duplicate)| {
@@ -37,7 +37,7 @@ fn mesh() -> impl Strategy<Value = Mesh> {
 }
 
 /// Rays along axes, within planes, and from anywhere towards a point of some triangle.
-fn ray(mesh: &Mesh) -> impl Strategy<Value = Ray> + use<> {
+pub(crate) fn ray(mesh: &Mesh) -> impl Strategy<Value = Ray> + use<> {
     let targets = mesh.positions.clone();
     let any_target = (0..targets.len(), 0..targets.len(), prop_oneof![Just(0.0f32), Just(0.5), 0.0f32..1.0]);
     let bound = prop_oneof![3 => Just((0.0, f32::INFINITY)), 1 => (0.0f32..1.0, 0.5f32..2.0)];

@@ -243,6 +243,18 @@ fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, axis: usize, t_max: f
     within_box(ray, triangle, hit, t_max)
 }
 
+/// The lesser of two finite numbers; either of two zeros.
+#[inline(always)]
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two finite numbers; either of two zeros.
+#[inline(always)]
+fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
 /// Clamps `hit.t` to the interval of the triangle's bounding box and tests it against the ray's.
 #[inline(always)]
 fn within_box(ray: &TraversalRay, triangle: &Triangle, hit: TriangleHit, t_max: f32) -> Option<TriangleHit> {
@@ -250,7 +262,7 @@ fn within_box(ray: &TraversalRay, triangle: &Triangle, hit: TriangleHit, t_max: 
     let (mut entry, mut exit) = (f32::NEG_INFINITY, f32::INFINITY);
     for (axis, [a, b, c]) in triangle.rows.iter().enumerate() {
         // Adding +0 turns -0 into +0, as in the planes of every tree.
-        let (low, high) = (a.min(*b).min(*c) + 0.0, a.max(*b).max(*c) + 0.0);
+        let (low, high) = (lesser(lesser(*a, *b), *c) + 0.0, greater(greater(*a, *b), *c) + 0.0);
         let (first, second) = if ray.is_negative(axis) { (high, low) } else { (low, high) };
         let (near, far) = (ray.entry(first, axis), ray.exit(second, axis));
         entry = if near > entry { near } else { entry };

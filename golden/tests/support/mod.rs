@@ -1,12 +1,9 @@
 //! Meshes for tests, benchmarks and examples.
 #![allow(dead_code, reason = "each user needs a part")]
 
-pub mod oracle;
-pub mod shapes;
-
-use std::path::PathBuf;
-
+use golden::stress::shapes::soup;
 use scenes::Mesh;
+use std::path::PathBuf;
 
 /// The real scenes that `DUALSPLIT_DATA` holds, by number of triangles.
 pub const SHARED_SCENES: [&str; 5] = ["bunny", "sibenik", "sanmiguel_leaves", "crytek_sponza", "dragon"];
@@ -15,13 +12,6 @@ pub const SHARED_SCENES: [&str; 5] = ["bunny", "sibenik", "sanmiguel_leaves", "c
 pub fn shared_scene(name: &str) -> Option<Mesh> {
     let folder = PathBuf::from(std::env::var_os("DUALSPLIT_DATA")?);
     Some(scenes::obj::load(folder.join("scenes").join(format!("{name}.obj.xz"))).expect("a valid scene"))
-}
-
-/// A triangle soup from corners.
-pub fn soup(triangles: impl IntoIterator<Item = [[f32; 3]; 3]>) -> Mesh {
-    let positions: Vec<_> = triangles.into_iter().flatten().collect();
-    let triangles = (0..positions.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    Mesh { positions, triangles }
 }
 
 /// Small triangles at pseudo-random places, half of them stretched along an axis.

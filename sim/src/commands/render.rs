@@ -1,9 +1,9 @@
 //! `dualsplit render`: pictures, heat maps and ray streams.
 
 use super::work::{ClassRow, class_table};
-use crate::cli::{Global, RenderArgs, quality_name};
+use crate::cli::{Global, RenderArgs};
 use crate::console::{Report, progress};
-use crate::input::{self, Built, check_writable, display};
+use crate::input::{self, check_writable, display};
 use anyhow::ensure;
 use golden::ray_file::write_rays;
 use golden::render::{RenderOptions, render};
@@ -20,7 +20,11 @@ struct Document {
     structure: &'static str,
     test: &'static str,
     mode: &'static str,
-    quality: &'static str,
+    /// Absent for a structure that was loaded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    quality: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tree: Option<String>,
     width: u32,
     height: u32,
     spp: u32,
@@ -71,8 +75,7 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
     };
     let mut scene = input::scene(&args.scene, global)?;
     input::set_view(&mut scene, &args.view)?;
-    let built = Built::new(&scene, args.quality.quality)?;
-    let (structure, _) = built.convert(args.structure)?;
+    let (structure, quality) = input::structure(&scene, &args.structure)?;
 
     let bar = progress(u64::from(height), format!("rendering {}", scene.name));
     let start = Instant::now();
@@ -100,10 +103,11 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
     let document = Document {
         scene: scene.name,
         triangles: scene.mesh.triangles.len(),
-        structure: args.structure.name(),
+        structure: structure.kind().name(),
         test: args.test.name(),
         mode: args.mode.mode.name(),
-        quality: quality_name(args.quality.quality),
+        quality,
+        tree: args.structure.tree.as_deref().map(display),
         width,
         height,
         spp: args.spp,

@@ -1,9 +1,9 @@
 //! `dualsplit trace`: a saved ray stream, traced for closest hits.
 
 use super::work::{ClassRow, class_table};
-use crate::cli::{Global, TraceArgs, quality_name};
+use crate::cli::{Global, TraceArgs};
 use crate::console::{Report, progress};
-use crate::input::{self, Built, check_writable, display};
+use crate::input::{self, check_writable, display};
 use golden::TraversalRay;
 use golden::ray_file::{FileHit, read_rays, write_hits};
 use golden::render::{ClassTotals, RayClass, RayStream};
@@ -20,7 +20,11 @@ struct Document {
     triangles: usize,
     structure: &'static str,
     mode: &'static str,
-    quality: &'static str,
+    /// Absent for a structure that was loaded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    quality: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tree: Option<String>,
     threads: usize,
     rays: u64,
     hits: u64,
@@ -42,8 +46,7 @@ pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
     }
     let stream = read_rays(&args.rays)?;
     let scene = input::scene(&args.scene, global)?;
-    let built = Built::new(&scene, args.quality.quality)?;
-    let (structure, _) = built.convert(args.structure)?;
+    let (structure, quality) = input::structure(&scene, &args.structure)?;
     let mode = args.mode.mode;
 
     let start = Instant::now();
@@ -59,9 +62,10 @@ pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
     let document = Document {
         scene: scene.name,
         triangles: scene.mesh.triangles.len(),
-        structure: args.structure.name(),
+        structure: structure.kind().name(),
         mode: mode.name(),
-        quality: quality_name(args.quality.quality),
+        quality,
+        tree: args.structure.tree.as_deref().map(display),
         threads: rayon::current_num_threads(),
         rays: hits.len() as u64,
         hits: hits.iter().flatten().count() as u64,

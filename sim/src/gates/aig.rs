@@ -286,6 +286,15 @@ impl Aig {
         self.mux(enable, data, lit)
     }
 
+    /// Puts a multiplexer before every latch with an enable, which is then always enabled: for libraries without clock
+    /// gates.
+    pub fn multiplex_enables(&mut self) {
+        for latch in 0..self.latches.len() {
+            let next = self.next_state(latch);
+            self.drive_latch(latch, next, Lit::TRUE);
+        }
+    }
+
     /// The literals that something outside the ANDs reads: outputs, then data and enable of each latch.
     pub fn roots(&self) -> impl Iterator<Item = Lit> {
         let outputs = self.outputs.iter().map(|output| output.lit);

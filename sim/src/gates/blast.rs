@@ -4,7 +4,7 @@ use hdl::catalogue::MULTIPLIER_KINDS;
 use hdl::netlist::{BinaryOp, Design, Flat, FlatNode, NodeId, Op, ScopeId, UnaryOp};
 
 use super::aig::{Aig, Lit, Origin};
-use super::words::{self, Adder, Structures};
+use super::words::{self, Adder, Selection, Structures};
 use crate::unit_costs::Unit;
 
 /// What the multiplier arrays of a design become.
@@ -15,20 +15,40 @@ pub enum Arrays {
     Whole,
     /// The operations as written: four products of half words and their sums.
     AsWritten,
-    /// Inputs in the place of their product, and outputs that show their operands.
-    Cut,
 }
+
+/// A kind of module that is left out: its result becomes inputs, and its operands `a_i` and `b_i` become outputs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cut {
+    /// Kind of the module in the source.
+    pub kind: &'static str,
+    /// Its result port.
+    pub result: &'static str,
+}
+
+/// The multiplier arrays: what a proof cannot look into.
+pub const ARRAYS: &[Cut] = &[ARRAY];
+/// The adders and multipliers of a pipeline: what is around them is its control.
+pub const ARITHMETIC: &[Cut] =
+    &[Cut { kind: "fp_add", result: "result_o" }, Cut { kind: "fp_mul", result: "result_o" }];
+
+const ARRAY: Cut = Cut { kind: MULTIPLIER_KINDS[0], result: "product_o" };
 
 /// How a design becomes gates.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
     /// Structures of arithmetic.
     pub structures: Structures,
-    /// The multiplier arrays.
+    /// The multiplier arrays, unless they are cut.
     pub arrays: Arrays,
+    /// Modules that are left out.
+    pub cuts: &'static [Cut],
     /// Whether each execution unit is a region of its own, so that its gates can be told from those around it.
     pub keep_units: bool,
 }
+
+/// Narrowest words whose choice is worth conditions of its own.
+const LEAST_CHOICE_WIDTH: u32 = 8;
 
 /// A flattened netlist as gates.
 #[derive(Clone, Debug)]
@@ -66,13 +86,24 @@ pub fn blast(design: &Design, flat: &Flat, options: Options) -> Blasted {
     Blaster::new(design, flat, options).run()
 }
 
+/// A result that is not made of the operations in the graph.
+#[derive(Clone, Copy)]
+struct Product {
+    operands: [NodeId; 2],
+    scope: ScopeId,
+    result: &'static str,
+    is_cut: bool,
+}
+
 struct Blaster<'n> {
     flat: &'n Flat,
     options: Options,
     /// Region of each instance.
     regions: Vec<u32>,
-    /// For a node that carries the product of a multiplier array: the operands' nodes, and the array.
-    products: Vec<Option<([NodeId; 2], ScopeId)>>,
+    /// Multiplexers whose only use is to be what another one chooses otherwise.
+    is_inside_choice: Vec<bool>,
+    /// For a node that carries the result of a module that is cut or an array: the operands' nodes and the instance.
+    products: Vec<Option<Product>>,
     blasted: Blasted,
 }
 
@@ -83,11 +114,13 @@ impl<'n> Blaster<'n> {
             Some((scope, _)) if options.keep_units => scope + 1,
             _ => 0,
         };
-        let products = if options.arrays == Arrays::AsWritten {
-            vec![None; flat.nodes.len()]
-        } else {
-            products(design, flat)
-        };
+        let mut products = vec![None; flat.nodes.len()];
+        if options.arrays == Arrays::Whole {
+            find_products(design, flat, ARRAY, false, &mut products);
+        }
+        for &cut in options.cuts {
+            find_products(design, flat, cut, true, &mut products);
+        }
         let blasted = Blasted {
             aig: Aig::default(),
             inputs: Vec::new(),
@@ -96,13 +129,33 @@ impl<'n> Blaster<'n> {
             first_latch: Vec::new(),
             cuts: Vec::new(),
         };
-        Self { flat, options, regions: units.iter().map(region).collect(), products, blasted }
+        let mut uses = vec![0; flat.nodes.len()];
+        let operands = flat.nodes.iter().flat_map(|node| node.op.operands());
+        let roots = flat.outputs.iter().map(|(_, node)| *node);
+        let states =
+            flat.registers.iter().flat_map(|register| std::iter::once(register.data).chain(register.enable));
+        operands.chain(roots).chain(states).for_each(|node: NodeId| uses[node.index()] += 1);
+        let mut is_inside_choice = vec![false; flat.nodes.len()];
+        for node in &flat.nodes {
+            if let Op::Mux { when_false, .. } = node.op
+                && options.structures.selection == Selection::AndOr
+                && uses[when_false.index()] == 1
+                && node.width >= LEAST_CHOICE_WIDTH
+                && flat.nodes[when_false.index()].scope == node.scope
+                && matches!(flat.nodes[when_false.index()].op, Op::Mux { .. })
+            {
+                is_inside_choice[when_false.index()] = true;
+            }
+        }
+        let regions = units.iter().map(region).collect();
+        Self { flat, options, regions, is_inside_choice, products, blasted }
     }
 
     fn run(mut self) -> Blasted {
         let flat = self.flat;
         for port in &flat.inputs {
-            let bits = (0..port.width).map(|bit| self.blasted.aig.add_input(bit_name(&port.name, bit)));
+            let bits =
+                (0..port.width).map(|bit| self.blasted.aig.add_input(bit_name(&port.name, bit, port.width)));
             let bits = bits.collect();
             self.blasted.inputs.push(bits);
         }
@@ -114,23 +167,25 @@ impl<'n> Blaster<'n> {
             let name =
                 if path.is_empty() { register.name.clone() } else { format!("{path}.{}", register.name) };
             for bit in 0..register.width {
-                let bit_lit = aig.add_latch(bit_name(&name, bit), register.initial >> bit & 1 == 1);
+                let bit_lit =
+                    aig.add_latch(bit_name(&name, bit, register.width), register.initial >> bit & 1 == 1);
                 self.blasted.words[register.output.index()].push(bit_lit);
             }
         }
         let needed = self.needed();
-        let mut cut_operands = Vec::new();
+        let mut cuts = Vec::new();
         for (position, node) in flat.nodes.iter().enumerate() {
-            if !needed[position] || matches!(node.op, Op::Register(_)) {
+            if !needed[position] {
                 continue;
             }
             self.blasted.aig.origin = self.origin_of(node.scope);
-            let word = match self.products[position] {
-                Some((operands, scope)) => {
-                    let words = operands.map(|operand| self.blasted.words[operand.index()].clone());
-                    self.product(node.width, words, scope, &mut cut_operands)
-                }
-                None => self.node(node),
+            let word = match (self.products[position], node.op) {
+                (Some(product), _) => self.product(node.width, product, &mut cuts),
+                (None, Op::Register(_)) => continue,
+                // Part of a longer choice that is made at its end.
+                (None, Op::Mux { .. }) if self.is_inside_choice[position] => continue,
+                (None, Op::Mux { .. }) => self.choice(position),
+                (None, _) => self.node(node),
             };
             self.blasted.words[position] = word;
         }
@@ -146,12 +201,21 @@ impl<'n> Blaster<'n> {
         for (port, node) in &flat.outputs {
             let word = self.blasted.words[node.index()].clone();
             for (bit, &lit) in (0..).zip(&word) {
-                self.blasted.aig.add_output(bit_name(&port.name, bit), lit);
+                self.blasted.aig.add_output(bit_name(&port.name, bit, port.width), lit);
             }
             self.blasted.outputs.push(word);
         }
-        for (name, lit) in cut_operands {
-            self.blasted.aig.add_output(name, lit);
+        // The operands of a result that is a register come later than it.
+        for product in cuts {
+            let path = self.flat.scopes[product.scope as usize].path.clone();
+            for (name, operand) in [("a_i", product.operands[0]), ("b_i", product.operands[1])] {
+                let word = self.blasted.words[operand.index()].clone();
+                for (bit, &lit) in (0..).zip(&word) {
+                    let name = bit_name(&format!("{path}.{name}"), bit, word.len() as u32);
+                    self.blasted.aig.add_output(name, lit);
+                }
+            }
+            self.blasted.cuts.push(path);
         }
         self.blasted
     }
@@ -173,7 +237,7 @@ impl<'n> Blaster<'n> {
                 continue;
             }
             match self.products[position] {
-                Some((operands, _)) => operands.iter().for_each(|node| needed[node.index()] = true),
+                Some(product) => product.operands.iter().for_each(|node| needed[node.index()] = true),
                 None => {
                     self.flat.nodes[position].op.operands().for_each(|node| needed[node.index()] = true);
                 }
@@ -182,24 +246,41 @@ impl<'n> Blaster<'n> {
         needed
     }
 
-    fn product(
-        &mut self,
-        width: u32,
-        [a, b]: [Vec<Lit>; 2],
-        scope: ScopeId,
-        cut_operands: &mut Vec<(String, Lit)>,
-    ) -> Vec<Lit> {
-        let aig = &mut self.blasted.aig;
-        if self.options.arrays == Arrays::Whole {
-            return words::multiply(aig, self.options.structures, &a, &b, width as usize);
+    fn product(&mut self, width: u32, product: Product, cuts: &mut Vec<Product>) -> Vec<Lit> {
+        let Blasted { aig, words, .. } = &mut self.blasted;
+        if !product.is_cut {
+            let [a, b] = product.operands.map(|operand| words[operand.index()].as_slice());
+            return words::multiply(aig, self.options.structures, a, b, width as usize);
         }
-        let path = &self.flat.scopes[scope as usize].path;
-        self.blasted.cuts.push(path.clone());
-        for (name, word) in [("a_i", a), ("b_i", b)] {
-            let bits = (0..).zip(word);
-            cut_operands.extend(bits.map(|(bit, lit)| (bit_name(&format!("{path}.{name}"), bit), lit)));
+        cuts.push(product);
+        let path = &self.flat.scopes[product.scope as usize].path;
+        (0..width)
+            .map(|bit| aig.add_input(bit_name(&format!("{path}.{}", product.result), bit, width)))
+            .collect()
+    }
+
+    /// A multiplexer with those that serve it alone.
+    fn choice(&mut self, position: usize) -> Vec<Lit> {
+        let mut choices = Vec::new();
+        let mut at = position;
+        let otherwise = loop {
+            let Op::Mux { select, when_true, when_false } = self.flat.nodes[at].op else {
+                unreachable!("a choice")
+            };
+            choices.push((select, when_true));
+            if !self.is_inside_choice[when_false.index()] {
+                break when_false;
+            }
+            at = when_false.index();
+        };
+        let Blasted { aig, words, .. } = &mut self.blasted;
+        let word = |id: NodeId| words[id.index()].as_slice();
+        if let [(select, when_true)] = choices.as_slice() {
+            return words::mux(aig, word(*select)[0], word(*when_true), word(otherwise));
         }
-        (0..width).map(|bit| aig.add_input(bit_name(&format!("{path}.product_o"), bit))).collect()
+        let choices: Vec<(Lit, &[Lit])> =
+            choices.iter().map(|&(select, when_true)| (word(select)[0], word(when_true))).collect();
+        words::select_first(aig, &choices, word(otherwise))
     }
 
     fn node(&mut self, node: &FlatNode) -> Vec<Lit> {
@@ -226,9 +307,7 @@ impl<'n> Blaster<'n> {
                 }
             }
             Op::Binary(op, a, b) => binary(aig, structures, op, word(a), word(b), width),
-            Op::Mux { select, when_true, when_false } => {
-                words::mux(aig, word(select)[0], word(when_true), word(when_false))
-            }
+            Op::Mux { .. } => unreachable!("choices are made whole"),
             Op::Slice { of, low } => word(of)[low as usize..low as usize + width].to_vec(),
             Op::Concat { high, low } => [word(low), word(high)].concat(),
             Op::Extend { of, signed } => {
@@ -278,28 +357,25 @@ fn sum(aig: &mut Aig, adder: Adder, a: &[Lit], b: &[Lit]) -> Vec<Lit> {
     }
 }
 
-/// The multiplier arrays' products, by node.
-fn products(design: &Design, flat: &Flat) -> Vec<Option<([NodeId; 2], ScopeId)>> {
-    let mut products = vec![None; flat.nodes.len()];
+/// Notes the results of a kind of module, by node.
+fn find_products(design: &Design, flat: &Flat, cut: Cut, is_cut: bool, products: &mut [Option<Product>]) {
     for (scope, instance) in (0..).zip(&flat.scopes) {
-        let module = design.module(instance.module);
-        if !MULTIPLIER_KINDS.contains(&module.kind.as_str()) {
+        if design.module(instance.module).kind != cut.kind {
             continue;
         }
         let port = |wanted: &str| {
             let mut names = flat.names.iter();
             names.find(|name| name.scope == scope && name.name == wanted).map(|name| name.node)
         };
-        // An array with an operand or product that is constant is left as written.
-        if let (Some(a), Some(b), Some(product)) = (port("a_i"), port("b_i"), port("product_o")) {
-            products[product.index()] = Some(([a, b], scope));
+        // A module with an operand or result that is constant is left as written.
+        if let (Some(a), Some(b), Some(result)) = (port("a_i"), port("b_i"), port(cut.result)) {
+            products[result.index()] = Some(Product { operands: [a, b], scope, result: cut.result, is_cut });
         }
     }
-    products
 }
 
-/// Name of one bit of a word.
+/// Name of one bit of a word of `width` bits.
 #[must_use]
-pub fn bit_name(word: &str, bit: u32) -> String {
-    format!("{word}[{bit}]")
+pub fn bit_name(word: &str, bit: u32, width: u32) -> String {
+    if width == 1 { word.to_owned() } else { format!("{word}[{bit}]") }
 }

@@ -8,6 +8,12 @@
 pub mod aig;
 pub mod aiger;
 pub mod blast;
+pub mod energy;
+pub mod glitch;
+pub mod liberty;
+pub mod map;
 mod multiply;
+pub mod prove;
 pub mod simulate;
+pub mod timing;
 pub mod words;

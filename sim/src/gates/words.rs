@@ -25,13 +25,25 @@ pub enum Multiplier {
     Booth,
 }
 
-/// The structures chosen for arithmetic.
+/// How one of several words is chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// One multiplexer of two words behind the other, as written.
+    Chain,
+    /// Conditions that exclude each other, each with a gate for every bit of its word, and an OR of those.
+    #[default]
+    AndOr,
+}
+
+/// The structures chosen for arithmetic and selection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Structures {
     /// For sums, differences and the last addition of products.
     pub adder: Adder,
     /// For products.
     pub multiplier: Multiplier,
+    /// For choices among three words or more.
+    pub selection: Selection,
 }
 
 /// The word of a constant.
@@ -49,6 +61,23 @@ pub fn not(a: &[Lit]) -> Vec<Lit> {
 /// `select ? when_true : when_false`, bit by bit.
 pub fn mux(aig: &mut Aig, select: Lit, when_true: &[Lit], when_false: &[Lit]) -> Vec<Lit> {
     when_true.iter().zip(when_false).map(|(&t, &f)| aig.mux(select, t, f)).collect()
+}
+
+/// The first word whose condition holds, or else the last: `choices` and `otherwise` in order.
+pub fn select_first(aig: &mut Aig, choices: &[(Lit, &[Lit])], otherwise: &[Lit]) -> Vec<Lit> {
+    let mut free = Lit::TRUE;
+    let mut sums: Vec<Vec<Lit>> = vec![Vec::new(); otherwise.len()];
+    for &(condition, word) in choices {
+        let taken = aig.and(free, condition);
+        free = aig.and(free, !condition);
+        for (terms, &bit) in sums.iter_mut().zip(word) {
+            terms.push(aig.and(taken, bit));
+        }
+    }
+    for (terms, &bit) in sums.iter_mut().zip(otherwise) {
+        terms.push(aig.and(free, bit));
+    }
+    sums.iter().map(|terms| any(aig, terms)).collect()
 }
 
 /// A gate for each pair of bits.

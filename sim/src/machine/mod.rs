@@ -5,6 +5,10 @@
 //! the golden traversal alone: the timing core executes the blocks that correspond to it and computes nothing itself.
 
 pub mod core;
+pub mod costs;
 pub mod description;
+pub mod frame;
+pub mod pipelines;
 pub mod program;
 pub mod reference;
+pub mod results;

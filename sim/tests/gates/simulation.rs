@@ -6,7 +6,7 @@ use hdl::netlist::{Evaluator, flatten};
 use sim::gates::aiger::{self, Form};
 use sim::gates::blast::{Arrays, Options, blast};
 use sim::gates::simulate::Simulator;
-use sim::gates::words::{Adder, Multiplier, Structures};
+use sim::gates::words::{Adder, Multiplier, Selection, Structures};
 
 const LANES: usize = 64;
 
@@ -66,8 +66,8 @@ fn every_structure() {
     for adder in [Adder::Ripple, Adder::BrentKung, Adder::Sklansky] {
         for multiplier in [Multiplier::Tree, Multiplier::Booth] {
             for arrays in [Arrays::Whole, Arrays::AsWritten] {
-                let structures = Structures { adder, multiplier };
-                let options = Options { structures, arrays, keep_units: true };
+                let structures = Structures { adder, multiplier, selection: Selection::Chain };
+                let options = Options { structures, arrays, keep_units: true, cuts: &[] };
                 for top in [Top::FpAdd, Top::FpMul, Top::DualSplit] {
                     compare(top, StandardFormat::Binary32, options, 60);
                 }

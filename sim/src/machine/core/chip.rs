@@ -1,10 +1,11 @@
 //! The chip, cycle by cycle.
 
-use super::dram::{Dram, Requester};
+use super::dram::{Dram, Read, Requester};
+use super::l1::Access;
 use super::l2::L2;
-use super::outstanding::UNKNOWN;
+use super::outstanding::Arrival;
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
-use super::tm::{Request, Tm};
+use super::tm::{QUANTUM, Request, Tm};
 use super::work::{Tape, Work};
 use crate::machine::description::MachineDescription;
 use crate::machine::program::{EntryId, Kind, Program, START};
@@ -49,11 +50,12 @@ struct Chip<'a, W> {
     l2s: Vec<L2>,
     dram: Dram,
     next_item: u32,
+    /// Start of the current quantum.
     now: u32,
-    /// The cycle after `now` in which something can happen.
-    next: u32,
+    /// Cycles of a quantum.
+    length: u32,
     runs: Vec<u64>,
-    ended: Vec<u8>,
+    requests: Vec<Request>,
     no_more: u32,
     line_shift: u32,
 }
@@ -75,15 +77,15 @@ pub fn simulate<W: Work>(
         machine,
         program,
         work,
-        tms: (0..tms).map(|_| Tm::new(machine)).collect(),
+        tms: (0..tms as u16).map(|tm| Tm::new(tm, machine)).collect(),
         items: vec![vec![0; machine.tm.threads as usize]; tms as usize],
         l2s: (0..machine.chip.l2_partitions).map(|_| L2::new(&machine.l2)).collect(),
         dram: Dram::new(&machine.dram),
         next_item: 0,
         now: 0,
-        next: 0,
+        length: Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32),
+        requests: vec![],
         runs: vec![0; program.runs.len()],
-        ended: vec![],
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
     };
@@ -95,8 +97,7 @@ pub fn simulate<W: Work>(
     }
     let mut reported = 0;
     while !chip.tms.iter().all(Tm::is_halted) {
-        chip.now = chip.next;
-        chip.cycle();
+        chip.quantum();
         if chip.now > MAX_CYCLES {
             return Err(SimulationError::TooLong);
         }
@@ -111,108 +112,134 @@ pub fn simulate<W: Work>(
 impl<W: Work> Chip<'_, W> {
     /// Puts a thread at the start of the program.
     fn start(&mut self, tm: usize, thread: usize, entry: EntryId) {
-        let place = &mut self.tms[tm].places[thread];
+        let place = &mut self.tms[tm].threads[thread];
         Tape::new(self.program, entry, &mut place.tape, &mut self.runs).event(entry, 0);
         self.tms[tm].enter(self.program, thread);
     }
 
-    fn cycle(&mut self) {
-        let now = self.now;
-        if now > 0 {
-            self.dram.advance(now - 1);
-        }
-        while let Some(arrival) = self.dram.arrival(now) {
+    fn quantum(&mut self) {
+        let (start, end) = (self.now, self.now + self.length);
+        self.dram.advance(start);
+        let per_partition = self.machine.chip.tms_per_partition as usize;
+        let (tms, l2s) = (&mut self.tms, &mut self.l2s);
+        self.dram.announce(start, |arrival| {
             let tm = usize::from(arrival.requester.tm);
-            let partition = tm / self.machine.chip.tms_per_partition as usize;
-            self.l2s[partition].fill(arrival.line);
-            self.tms[tm].arrive(now, arrival.line);
-        }
-        let mut ended = std::mem::take(&mut self.ended);
-        let mut asked = false;
+            l2s[tm / per_partition].arrives(arrival.line, arrival.cycle);
+            tms[tm].arrives(arrival.line, arrival.cycle);
+        });
+        self.l2s.iter_mut().for_each(|l2| l2.begin(start));
         for tm in 0..self.tms.len() {
-            if self.tms[tm].is_awake(now) {
-                self.tms[tm].cycle(self.program, now, &mut ended);
-                asked |= !self.tms[tm].outbox.is_empty();
-                ended.drain(..).for_each(|thread| self.tape_ended(tm, thread.into()));
+            self.tms[tm].quantum(self.program, start, end);
+        }
+        loop {
+            self.change_tapes(start, end);
+            if self.tms.iter().all(|tm| tm.outbox.is_empty()) {
+                break;
             }
+            self.serve(start, end);
         }
-        if asked {
-            self.serve(now, &mut ended);
-        }
-        self.ended = ended;
-        self.next = self.next_cycle();
+        self.now = self.next_start(end);
     }
 
-    /// The next cycle in which anything can happen.
-    fn next_cycle(&self) -> u32 {
-        let mut next = u32::MAX;
-        for tm in &self.tms {
-            next = next.min(tm.next_wake(self.now));
-            if next == self.now + 1 {
-                return next;
-            }
+    /// The first cycle from `end` on in which anything can happen, at the start of a quantum.
+    fn next_start(&self, end: u32) -> u32 {
+        let next = self.tms.iter().map(Tm::next_time).min().unwrap_or(end);
+        if next <= end {
+            return end;
         }
-        next.min(self.dram.next_event(self.now))
+        let next = next.min(self.dram.next_command());
+        if next == u32::MAX { end } else { next.max(end) }
     }
 
-    /// Serves what multiprocessors ask, beginning with the one whose thread has waited longest.
-    fn serve(&mut self, now: u32, ended: &mut Vec<u8>) {
-        let count = self.tms.len();
-        let first = (0..count).min_by_key(|tm| self.tms[*tm].longest_wait()).unwrap_or(0);
-        for tm in (first..count).chain(0..first) {
-            if self.tms[tm].outbox.is_empty() {
-                continue;
+    /// Gives new tapes to the threads that need them and lets them catch up.
+    fn change_tapes(&mut self, start: u32, end: u32) {
+        for tm in 0..self.tms.len() {
+            while let Some(thread) = self.tms[tm].ended.pop() {
+                self.tape_ended(tm, thread.into());
+                self.tms[tm].run(self.program, thread.into(), start, end);
             }
-            let mut outbox = std::mem::take(&mut self.tms[tm].outbox);
-            for request in outbox.drain(..) {
-                self.serve_one(tm, request, now, ended);
-                ended.drain(..).for_each(|thread| self.tape_ended(tm, thread.into()));
-            }
-            self.tms[tm].outbox = outbox;
         }
     }
 
-    fn serve_one(&mut self, number: usize, request: Request, now: u32, ended: &mut Vec<u8>) {
-        let (tm, program) = (&mut self.tms[number], self.program);
-        if request.kind == Kind::Counter {
-            let item = self.next_item;
-            // Threads that find nothing left leave the counter where it is.
-            self.next_item = self.work.items().min(item + 1);
-            self.items[number][usize::from(request.thread)] = item;
-            return tm.done(program, request, now, ended);
+    /// Serves what multiprocessors ask in the order of time, and lets the threads that asked catch up.
+    fn serve(&mut self, start: u32, end: u32) {
+        let mut requests = std::mem::take(&mut self.requests);
+        self.tms.iter_mut().for_each(|tm| requests.append(&mut tm.outbox));
+        // In one cycle, multiprocessors come in ring order from another one each time.
+        let (count, first) = (self.tms.len() as u32, start / self.length);
+        requests
+            .sort_by_key(|request| (request.cycle, (u32::from(request.tm) + count - first % count) % count));
+        for &request in &requests {
+            self.serve_one(request, start);
         }
-        if tm.settles(program, request, now, ended) {
-            return;
+        for &request in &requests {
+            self.tms[usize::from(request.tm)].run(self.program, request.thread.into(), start, end);
+        }
+        requests.clear();
+        self.requests = requests;
+    }
+
+    fn serve_one(&mut self, request: Request, start: u32) {
+        let (number, program, now) = (usize::from(request.tm), self.program, request.cycle);
+        let tm = &mut self.tms[number];
+        let slot = (now - start) as usize;
+        let waiter = tm.waiter(program, request);
+        let again = match request.kind {
+            Kind::Load => tm.l1.load_now(now, slot, request.address, waiter),
+            Kind::Store => tm.l1.store_now(slot, request.address),
+            _ => {
+                // Threads that find nothing left leave the counter where it is.
+                let item = self.next_item;
+                self.next_item = self.work.items().min(item + 1);
+                self.items[number][usize::from(request.thread)] = item;
+                return tm.served(program, request, now + 1);
+            }
+        };
+        match again {
+            Access::Served(ready) => return tm.served(program, request, ready),
+            Access::Refused => return tm.refused(request),
+            Access::Ask => {}
         }
         let l2 = &mut self.l2s[number / self.machine.chip.tms_per_partition as usize];
-        if !l2.take_bank(now, request.address) {
-            return tm.refused();
+        if !l2.is_free(slot, request.address) {
+            return tm.refused(request);
         }
         let line = request.address >> self.line_shift;
+        self.dram.advance(now);
         if request.kind == Kind::Store {
             if !self.dram.write(now, line) {
-                return tm.refused();
+                return tm.refused(request);
             }
+            l2.take(slot, request.address);
             l2.counts.stores += 1;
-            return tm.done(program, request, now, ended);
+            tm.l1.stored(slot, request.address);
+            return tm.served(program, request, now + 1);
         }
-        if l2.hit(line) {
-            l2.counts.loads += 1;
-            l2.counts.hits += 1;
-            let arrival = now + self.machine.l1.latency_cycles + self.machine.l2.latency_cycles;
-            return tm.taken(program, request, now, arrival, ended);
-        }
-        if !self.dram.read(now, line, Requester { tm: number as u16 }) {
-            return tm.refused();
-        }
+        let hit = l2.hit(line);
+        let arrival = if hit {
+            let filled = now + self.machine.l2.latency_cycles;
+            Arrival { filled, usable: filled + self.machine.l1.latency_cycles }
+        } else {
+            match self.dram.read(now, line, Requester { tm: number as u16 }) {
+                Read::Refused => return tm.refused(request),
+                Read::Queued => Arrival::NOT_KNOWN,
+                Read::Arrives(cycle) => {
+                    l2.arrives(line, cycle);
+                    Arrival::from_memory(cycle)
+                }
+            }
+        };
+        l2.take(slot, request.address);
         l2.counts.loads += 1;
-        tm.taken(program, request, now, UNKNOWN, ended);
+        l2.counts.hits += u64::from(hit);
+        let ready = tm.l1.taken(now, slot, request.address, arrival, waiter);
+        tm.served(program, request, ready);
     }
 
     /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
     fn tape_ended(&mut self, tm: usize, thread: usize) {
         let program = self.program;
-        let place = &mut self.tms[tm].places[thread];
+        let place = &mut self.tms[tm].threads[thread];
         let Some(entry) = program.runs[place.tape[place.at] as usize].next else {
             self.tms[tm].halt(thread);
             return;
@@ -227,16 +254,16 @@ impl<W: Work> Chip<'_, W> {
         } else {
             Tape::new(program, entry, &mut place.tape, &mut self.runs).event(entry, self.no_more);
         }
-        self.tms[tm].enter(program, thread);
+        self.tms[tm].resume(program, thread);
     }
 
     fn counts(&mut self) -> Counts {
-        let cycles = self.now + 1;
+        let cycles = self.tms.iter().map(Tm::last_issue).max().unwrap_or(0) + 1;
         let mut counts = Counts { cycles, runs: self.runs.clone(), ..Counts::default() };
         for tm in &mut self.tms {
             tm.finish(cycles);
             counts.thread_cycles.merge(&tm.cycles);
-            counts.l1.merge(&tm.l1);
+            counts.l1.merge(&tm.l1.counts);
         }
         self.l2s.iter().for_each(|l2| counts.l2.merge(&l2.counts));
         counts.dram = self.dram.counts(cycles);

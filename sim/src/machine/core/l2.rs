@@ -2,15 +2,19 @@
 
 use super::stats::CacheCounts;
 use super::tags::Tags;
+use super::tm::QUANTUM;
 use crate::machine::description::Cache;
+use std::collections::VecDeque;
 
 /// A partition's cache.
 #[derive(Clone, Debug)]
 pub struct L2 {
     tags: Tags,
     bank_mask: u32,
-    busy: u64,
-    busy_in: u32,
+    /// Banks that are taken, by slot of the quantum.
+    busy: [u64; QUANTUM],
+    /// Lines on their way from memory, in the order of arrival.
+    fills: VecDeque<(u32, u32)>,
     /// What happened.
     pub counts: CacheCounts,
 }
@@ -20,34 +24,50 @@ impl L2 {
         Self {
             tags: Tags::new(cache),
             bank_mask: cache.banks - 1,
-            busy: 0,
-            busy_in: u32::MAX,
+            busy: [0; QUANTUM],
+            fills: VecDeque::new(),
             counts: CacheCounts::default(),
         }
     }
 
-    /// Takes the bank of word `address` for cycle `now`; false if it is taken.
-    pub fn take_bank(&mut self, now: u32, address: u32) -> bool {
-        if self.busy_in != now {
-            self.busy_in = now;
-            self.busy = 0;
+    /// Begins the quantum at cycle `start`: what has arrived by then is filled.
+    pub fn begin(&mut self, start: u32) {
+        self.busy = [0; QUANTUM];
+        while let Some(&(cycle, line)) = self.fills.front() {
+            if cycle > start {
+                break;
+            }
+            self.fills.pop_front();
+            self.tags.fill(line);
         }
-        let bank = 1 << (address & self.bank_mask);
-        if self.busy & bank != 0 {
+    }
+
+    /// It is known that `line` arrives from memory in cycle `cycle`.
+    pub fn arrives(&mut self, line: u32, cycle: u32) {
+        let at = self.fills.partition_point(|(other, _)| *other <= cycle);
+        self.fills.insert(at, (cycle, line));
+    }
+
+    /// Whether the bank of word `address` is free in slot `slot`.
+    pub fn is_free(&mut self, slot: usize, address: u32) -> bool {
+        let free = self.busy[slot] & self.bank(address) == 0;
+        if !free {
             self.counts.bank_conflicts += 1;
-            return false;
         }
-        self.busy |= bank;
-        true
+        free
+    }
+
+    /// Takes the bank of word `address` in slot `slot`, for an access that is served.
+    pub fn take(&mut self, slot: usize, address: u32) {
+        self.busy[slot] |= self.bank(address);
+    }
+
+    fn bank(&self, address: u32) -> u64 {
+        1 << (address & self.bank_mask)
     }
 
     /// Whether `line` is held.
     pub fn hit(&mut self, line: u32) -> bool {
         self.tags.hit(line)
-    }
-
-    /// A line has arrived from memory.
-    pub fn fill(&mut self, line: u32) {
-        self.tags.fill(line);
     }
 }

@@ -1,11 +1,12 @@
 //! The timing core: cycles of a chip of multiprocessors, second-level caches and memory.
 //!
-//! In each cycle, lines that have arrived are delivered; then every multiprocessor issues, independently of the
-//! others; then what they ask of the chip is served in a fixed order. A multiprocessor whose threads all wait costs
-//! nothing, and cycles in which nothing can happen are skipped.
+//! Time advances in quanta of some cycles (see `tm`): lines that arrive are announced, every multiprocessor runs
+//! independently of the others, and what they ask of the chip is served in the order of time. Quanta in which nothing
+//! can happen are skipped.
 
 mod chip;
 mod dram;
+mod l1;
 mod l2;
 mod outstanding;
 mod stats;

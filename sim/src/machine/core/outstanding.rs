@@ -12,11 +12,29 @@ pub struct Waiter {
     pub register: u8,
 }
 
+/// When a line arrives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Arrival {
+    /// Cycle from which on the cache holds the line, or [`UNKNOWN`].
+    pub filled: u32,
+    /// Cycle from which on whoever waits for it can use the data, or [`UNKNOWN`].
+    pub usable: u32,
+}
+
+impl Arrival {
+    /// Not known yet.
+    pub const NOT_KNOWN: Self = Self { filled: UNKNOWN, usable: UNKNOWN };
+
+    /// From memory in `cycle`: what waits for the line gets it at once.
+    pub fn from_memory(cycle: u32) -> Self {
+        Self { filled: cycle, usable: cycle }
+    }
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     line: u32,
-    /// Cycle in which the line arrives, or [`UNKNOWN`].
-    arrival: u32,
+    arrival: Arrival,
     /// First of a chain in `waiters`, or [`NONE`].
     first: u32,
 }
@@ -34,17 +52,18 @@ pub struct Outstanding {
 impl Outstanding {
     /// When `line` arrives, if it is under way.
     #[inline]
-    pub fn arrival(&self, line: u32) -> Option<u32> {
+    pub fn arrival(&self, line: u32) -> Option<Arrival> {
         self.entries.iter().find(|entry| entry.line == line).map(|entry| entry.arrival)
     }
 
-    /// Notes that `line` is under way.
+    /// Notes that `line` is under way in cycle `now`.
     #[inline]
-    pub fn insert(&mut self, line: u32, arrival: u32) {
+    pub fn insert(&mut self, now: u32, line: u32, arrival: Arrival) {
+        self.remove_arrived(line, now);
         self.entries.push(Entry { line, arrival, first: NONE });
     }
 
-    /// Makes `waiter` wait for `line`, whose arrival is [`UNKNOWN`].
+    /// Makes `waiter` wait for `line`, whose arrival is not known yet.
     pub fn wait(&mut self, line: u32, waiter: Waiter) {
         let entry = self.entries.iter_mut().find(|entry| entry.line == line).expect("the line is under way");
         let slot = match self.free.pop() {
@@ -60,18 +79,30 @@ impl Outstanding {
         entry.first = slot;
     }
 
-    /// Removes `line`, which has arrived, and passes everyone who waited for it.
+    /// It is known now when `line` arrives; passes everyone who waits for it. False if nobody has asked.
     #[inline]
-    pub fn remove(&mut self, line: u32, mut wake: impl FnMut(Waiter)) {
-        let Some(at) = self.entries.iter().position(|entry| entry.line == line) else {
-            return;
+    pub fn arrives(&mut self, line: u32, arrival: Arrival, mut wake: impl FnMut(Waiter)) -> bool {
+        let Some(entry) = self.entries.iter_mut().find(|entry| entry.line == line) else {
+            return false;
         };
-        let mut slot = self.entries.swap_remove(at).first;
+        entry.arrival = arrival;
+        let mut slot = std::mem::replace(&mut entry.first, NONE);
         while slot != NONE {
             let (waiter, next) = self.waiters[slot as usize];
             wake(waiter);
             self.free.push(slot);
             slot = next;
+        }
+        true
+    }
+
+    /// Removes `line` if it has arrived by cycle `now`; if not, it has been asked for again since.
+    #[inline]
+    pub fn remove_arrived(&mut self, line: u32, now: u32) {
+        if let Some(at) =
+            self.entries.iter().position(|entry| entry.line == line && entry.arrival.filled <= now)
+        {
+            self.entries.swap_remove(at);
         }
     }
 }

@@ -42,6 +42,18 @@ impl Tags {
         true
     }
 
+    /// Whether two lines compete for the only place of their set.
+    #[inline(always)]
+    pub fn compete(&self, a: u32, b: u32) -> bool {
+        self.ways == 1 && (a ^ b) & self.set_mask == 0
+    }
+
+    /// Whether lines stay.
+    #[inline(always)]
+    pub fn is_enabled(&self) -> bool {
+        self.enabled
+    }
+
     /// Puts `line` in the place of the least recently used of its set.
     #[inline]
     pub fn fill(&mut self, line: u32) {

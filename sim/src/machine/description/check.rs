@@ -75,7 +75,7 @@ impl MachineDescription {
         {
             return Err(out_of_range("tm.load_words", words, "1, 2, 4 or \"line\""));
         }
-        within("icache.caches", icache.caches, 1, tm.threads)?;
+        within("icache.caches", icache.caches, 1, MAX_THREADS)?;
         power_of_two("icache.banks", icache.banks, MAX_BANKS)?;
         within("icache.fetches_per_bank", icache.fetches_per_bank, 1, 255)?;
         for unit in Unit::ALL {

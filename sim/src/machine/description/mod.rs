@@ -3,7 +3,7 @@
 //! [`MachineDescription::load`] reads a preset or a file, applies `--set` and checks that the machine can be built. What
 //! the pipelines consist of is not described here: it is read from the hardware (see [`super::pipelines`]).
 
-mod check;
+pub(in crate::machine) mod check;
 mod settings;
 mod size;
 
@@ -146,6 +146,25 @@ impl Units {
             Unit::Convert => self.convert,
             Unit::Branch => self.branch,
             Unit::Bitwise => self.bitwise,
+        }
+    }
+}
+
+impl Units {
+    /// The pool of `unit`, to be changed.
+    pub(in crate::machine) fn pool_mut(&mut self, unit: crate::unit_costs::Unit) -> &mut UnitPool {
+        use crate::unit_costs::Unit;
+        match unit {
+            Unit::FpAdd => &mut self.fp_add,
+            Unit::FpMul => &mut self.fp_mul,
+            Unit::FpMinMax => &mut self.fp_min_max,
+            Unit::FpCmp => &mut self.fp_cmp,
+            Unit::IntAdd => &mut self.int_add,
+            Unit::IntMul => &mut self.int_mul,
+            Unit::FpInv => &mut self.fp_inv,
+            Unit::Convert => &mut self.convert,
+            Unit::Branch => &mut self.branch,
+            Unit::Bitwise => &mut self.bitwise,
         }
     }
 }
@@ -349,8 +368,9 @@ mod tests {
             assert_eq!(machine.name, name);
             let again: MachineDescription = toml::from_str(&machine.to_toml()).unwrap();
             assert_eq!(again, machine);
-            assert_eq!(machine.dram.bytes(machine.l2.line.0), 2 << 30);
         }
+        let trax = MachineDescription::load("trax", &[]).unwrap();
+        assert_eq!(trax.dram.bytes(trax.l2.line.0), 2 << 30);
     }
 
     #[test]

@@ -40,9 +40,11 @@ pub struct MicroOp {
     pub kind: Kind,
     /// Whether a run ends here.
     pub last: bool,
+    /// Whether it reaches the thread's local store.
+    pub local_store: bool,
     /// Bank of the instruction cache.
     pub bank: u8,
-    /// Registers that it waits for; [`ZERO`] is always ready.
+    /// Registers that it waits for; register zero is always ready.
     pub reads: [Register; 3],
     /// Register that it writes; [`SINK`] for none.
     pub write: Register,
@@ -52,8 +54,10 @@ pub struct MicroOp {
     pub base: u8,
     /// Words behind that address.
     pub offset: u16,
-    /// Further registers written: start and length in [`Program::more_writes`].
-    pub more_writes: (u16, u16),
+    /// Further registers written: start and length in [`Program::registers`].
+    pub more_writes: (u16, u8),
+    /// Further registers that it waits for: start and length in [`Program::registers`].
+    pub more_reads: (u16, u8),
 }
 
 /// Written by operations without result.
@@ -96,17 +100,18 @@ pub struct Program {
     pub bases: Vec<String>,
     /// Names of conditions.
     pub conditions: Vec<String>,
-    /// Second and further registers of operations that write several.
-    pub more_writes: Vec<Register>,
+    /// Registers of operations that read more than three or write several.
+    pub registers: Vec<Register>,
     entries: Vec<Entry>,
+    pipeline_latency_cycles: u32,
 }
 
 #[derive(Clone, Debug)]
 struct Entry {
     name: String,
-    /// Conditions that the paths from here depend on.
-    mask: Conditions,
-    /// The run for each combination of these conditions, by their bits.
+    /// Conditions that the paths from here depend on, one bit each.
+    bits: Vec<Conditions>,
+    /// The run for each combination of these conditions.
     runs: Vec<RunId>,
 }
 
@@ -135,16 +140,21 @@ pub const START: &str = "start";
 /// The entry point behind every use of the shared counter.
 const ITEM: &str = "item";
 /// Most conditions of a program.
-const MAX_CONDITIONS: usize = 16;
+const MAX_CONDITIONS: usize = 32;
 /// Longest path between entry points.
 const MAX_RUN: usize = 4096;
 
 impl Program {
-    /// Prepares the listing `text` for `machine`.
+    /// Prepares the listing `text` for `machine`, whose pipeline takes so many cycles.
     ///
     /// # Errors
     /// See [`ListingError`].
-    pub fn new(name: &str, text: &str, machine: &MachineDescription) -> Result<Self, ListingError> {
+    pub fn new(
+        name: &str,
+        text: &str,
+        machine: &MachineDescription,
+        pipeline_latency_cycles: u32,
+    ) -> Result<Self, ListingError> {
         let mut listing = Listing::parse(name, text)?;
         // A thread learns which item it has got when the counter answers.
         let after_counter: Vec<usize> = (listing.instructions.iter().enumerate())
@@ -160,8 +170,9 @@ impl Program {
             runs: vec![],
             bases: vec![],
             conditions: vec![],
-            more_writes: vec![],
+            registers: vec![],
             entries: vec![],
+            pipeline_latency_cycles,
         };
         for instruction in &listing.instructions {
             if let Some((base, _)) = &instruction.address {
@@ -177,7 +188,7 @@ impl Program {
         }
         let points: Vec<usize> = listing.entries.keys().copied().collect();
         for (&at, name) in &listing.entries {
-            let mut entry = Entry { name: name.clone(), mask: 0, runs: vec![] };
+            let mut entry = Entry { name: name.clone(), bits: vec![], runs: vec![] };
             program.prepare(&listing, &points, machine, at, &mut entry)?;
             program.entries.push(entry);
         }
@@ -196,6 +207,7 @@ impl Program {
         // Paths that are still to be followed: conditions decided so far, and their values.
         let mut open = vec![(0, 0)];
         let mut complete = vec![];
+        let mut mask = 0;
         while let Some((decided, values)) = open.pop() {
             match self.path(listing, points, at, decided, values)? {
                 Path::Undecided(condition) => {
@@ -206,7 +218,7 @@ impl Program {
                     let next =
                         next.map(|at| points.iter().position(|p| *p == at).expect("an entry") as EntryId);
                     let run = self.emit(listing, machine, &instructions, next);
-                    entry.mask |= decided;
+                    mask |= decided;
                     complete.push((decided, values, run));
                 }
             }
@@ -215,7 +227,12 @@ impl Program {
             let found = complete.iter().find(|(decided, values, _)| all & decided == *values);
             found.expect("paths cover all values").2
         };
-        entry.runs = (0..=entry.mask).map(run).collect();
+        entry.bits = (0..Conditions::BITS).map(|bit| 1 << bit).filter(|bit| mask & bit != 0).collect();
+        let conditions = |index: u32| {
+            let bits = entry.bits.iter().enumerate();
+            bits.map(|(at, bit)| if index >> at & 1 != 0 { *bit } else { 0 }).sum::<Conditions>()
+        };
+        entry.runs = (0..1 << entry.bits.len()).map(|index| run(conditions(index))).collect();
         Ok(())
     }
 
@@ -309,12 +326,13 @@ impl Program {
         let latency = match decoded.place {
             Place::Unit(unit) => machine.units.pool(unit).latency_cycles,
             Place::Load => machine.l1.latency_cycles,
+            Place::Pipeline => self.pipeline_latency_cycles,
             _ => 1,
         };
         let mut reads = [ZERO; 3];
         reads.iter_mut().zip(&decoded.reads).for_each(|(slot, register)| *slot = *register);
-        let start = self.more_writes.len() as u16;
-        self.more_writes.extend(decoded.writes.iter().skip(1));
+        let more_reads = self.keep(decoded.reads.get(reads.len()..).unwrap_or_default());
+        let more_writes = self.keep(decoded.writes.get(1..).unwrap_or_default());
         MicroOp {
             pool: pool_of(decoded.place),
             kind: match decoded.place {
@@ -325,13 +343,15 @@ impl Program {
                 _ => Kind::Plain,
             },
             last: false,
+            local_store: decoded.place == Place::LocalStore,
             bank: (at as u32 & (machine.icache.banks - 1)) as u8,
             reads,
             write: decoded.writes.first().copied().unwrap_or(SINK),
             latency: latency as u8,
             base: 0,
             offset: 0,
-            more_writes: (start, self.more_writes.len() as u16 - start),
+            more_writes,
+            more_reads,
         }
     }
 
@@ -341,8 +361,13 @@ impl Program {
     /// If there is none, which is a mistake in the program.
     #[must_use]
     pub fn entry(&self, name: &str) -> EntryId {
-        let found = self.entries.iter().position(|entry| entry.name == name);
-        found.unwrap_or_else(|| panic!("{} has no entry point `{name}`", self.name)) as EntryId
+        self.find_entry(name).unwrap_or_else(|| panic!("{} has no entry point `{name}`", self.name))
+    }
+
+    /// The entry point `name`, if there is one.
+    #[must_use]
+    pub fn find_entry(&self, name: &str) -> Option<EntryId> {
+        self.entries.iter().position(|entry| entry.name == name).map(|at| at as EntryId)
     }
 
     /// The bit of the condition `name`; 0 if the program does not ask for it.
@@ -361,14 +386,21 @@ impl Program {
     #[must_use]
     pub fn run(&self, entry: EntryId, conditions: Conditions) -> RunId {
         let entry = &self.entries[usize::from(entry)];
-        entry.runs[(conditions & entry.mask) as usize]
+        let index =
+            entry.bits.iter().rev().fold(0, |index, bit| index << 1 | usize::from(conditions & bit != 0));
+        entry.runs[index]
     }
 
-    /// Second and further registers that `op` writes.
+    /// Registers kept by [`MicroOp::more_writes`] or [`MicroOp::more_reads`].
     #[must_use]
-    pub fn more_writes(&self, op: &MicroOp) -> &[Register] {
-        let (start, length) = op.more_writes;
-        &self.more_writes[usize::from(start)..][..usize::from(length)]
+    pub fn kept(&self, (start, length): (u16, u8)) -> &[Register] {
+        &self.registers[usize::from(start)..][..usize::from(length)]
+    }
+
+    fn keep(&mut self, registers: &[Register]) -> (u16, u8) {
+        let start = self.registers.len() as u16;
+        self.registers.extend(registers);
+        (start, registers.len() as u8)
     }
 
     /// The operations of a run.

@@ -1,8 +1,10 @@
 //! The reference runs: a software BVH2 on the public simulator, with its rays, its tree and its results.
 
+mod runs;
 mod scene;
 mod traversal;
 
+pub use runs::{Compared, PRESET, ReferenceRun, ReferenceRuns, ValidatedRun, ValidationError};
 pub use scene::{RaySet, ReferenceError, ReferenceScene};
 pub use traversal::ReferenceWork;
 

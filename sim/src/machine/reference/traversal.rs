@@ -177,6 +177,14 @@ pub trait Events {
     fn event(&mut self, at: EntryId, conditions: Conditions);
 }
 
+/// Receives events and forgets them.
+pub struct NoEvents;
+
+impl Events for NoEvents {
+    fn address(&mut self, _base: u8, _word: u32) {}
+    fn event(&mut self, _at: EntryId, _conditions: Conditions) {}
+}
+
 impl Events for Tape<'_> {
     #[inline(always)]
     fn address(&mut self, base: u8, word: u32) {

@@ -121,10 +121,6 @@ impl Channel {
         true
     }
 
-    pub fn is_reading(&self) -> bool {
-        !self.reads.is_empty()
-    }
-
     /// Issues at most one command at `clock` and sets `next`. Returns the line of a read that was issued, when its
     /// data are there, and who waits for them.
     pub fn command(&mut self, clock: u64) -> Option<(u64, u32, Vec<Requester>)> {
@@ -138,16 +134,25 @@ impl Channel {
         } else if self.writes.len() <= self.drain_low {
             self.draining = false;
         }
-        let writing = self.draining || self.reads.is_empty();
         // The earliest clock at which any candidate's next command is allowed.
         let mut soonest = self.next_refresh;
+        let no_read = self.reads.iter().all(|request| request.arrival > clock);
+        let writing = self.draining || no_read;
+        if writing {
+            // A read that has not come yet is looked at when it has.
+            soonest = self
+                .reads
+                .iter()
+                .map(|request| request.arrival)
+                .fold(soonest, |a, b| if b > clock { a.min(b) } else { a });
+        }
         let queue = if writing { &self.writes } else { &self.reads };
         let mut chosen = None;
         let bus = if writing { self.next_write } else { self.next_read };
         for (at, request) in queue.iter().enumerate() {
             let bank = &self.banks[request.bank as usize];
             if bank.open_row == request.row {
-                let allowed = bank.next_column.max(bus);
+                let allowed = bank.next_column.max(bus).max(request.arrival);
                 if allowed <= clock {
                     chosen = Some(at);
                     break;
@@ -174,6 +179,7 @@ impl Channel {
             }
             let closed = bank.open_row == CLOSED;
             let allowed = if closed { bank.next_activate.max(activate_allowed) } else { bank.next_precharge };
+            let allowed = allowed.max(request.arrival);
             if allowed <= clock {
                 let row = request.row;
                 if closed {

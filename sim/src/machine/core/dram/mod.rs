@@ -28,6 +28,17 @@ pub struct Arrival {
     pub requester: Requester,
 }
 
+/// What becomes of a read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Read {
+    /// The queue is full.
+    Refused,
+    /// It will be served.
+    Queued,
+    /// The line is on its way and arrives in this cycle.
+    Arrives(u32),
+}
+
 /// The memory of a chip.
 #[derive(Clone, Debug)]
 pub struct Dram {
@@ -36,8 +47,12 @@ pub struct Dram {
     /// For each channel, the clock at which it may have something to do.
     next: Vec<u64>,
     next_of_all: u64,
+    /// All commands before this clock have been executed.
+    time: u64,
     /// Lines whose time of arrival is known, in its order.
     arrivals: VecDeque<Arrival>,
+    /// How many of these have been announced.
+    announced: usize,
     /// Reads that joined one of these.
     joined: u64,
 }
@@ -48,7 +63,16 @@ impl Dram {
         let channels: Vec<Channel> = (0..description.channels).map(|_| Channel::new(description)).collect();
         let next: Vec<u64> = channels.iter().map(|channel| channel.next).collect();
         let next_of_all = next.iter().copied().min().unwrap_or(u64::MAX);
-        Self { description: *description, channels, next, next_of_all, arrivals: VecDeque::new(), joined: 0 }
+        Self {
+            description: *description,
+            channels,
+            next,
+            next_of_all,
+            time: 0,
+            arrivals: VecDeque::new(),
+            announced: 0,
+            joined: 0,
+        }
     }
 
     /// Channel, bank and row of a line.
@@ -75,35 +99,26 @@ impl Dram {
         (channel as usize, bank, rest & (d.rows - 1))
     }
 
-    /// Asks for `line` in cycle `now`; false if the queue is full.
-    pub fn read(&mut self, now: u32, line: u32, requester: Requester) -> bool {
+    /// Asks for `line` in cycle `now`.
+    pub fn read(&mut self, now: u32, line: u32, requester: Requester) -> Read {
         if let Some(on_its_way) = self.arrivals.iter().find(|arrival| arrival.line == line) {
-            let joined = Arrival { requester, ..*on_its_way };
-            self.put(joined);
             self.joined += 1;
-            return true;
+            return Read::Arrives(on_its_way.cycle);
         }
         let (channel, bank, row) = self.place(line);
         let clock = self.clock(now);
         match self.channels[channel].read(clock, line, bank, row, requester) {
-            Offer::Refused => false,
+            Offer::Refused => Read::Refused,
             Offer::Queued => {
                 self.reschedule(channel);
-                true
+                Read::Queued
             }
             Offer::Ready => {
                 // A waiting write has the data: as fast as an open row.
                 let done = clock + u64::from(self.description.timing.burst);
-                let cycle = (done / u64::from(self.description.clocks_per_cycle)) as u32 + 1;
-                self.put(Arrival { cycle, line, requester });
-                true
+                Read::Arrives(done.div_ceil(u64::from(self.description.clocks_per_cycle)) as u32)
             }
         }
-    }
-
-    fn put(&mut self, arrival: Arrival) {
-        let at = self.arrivals.partition_point(|other| other.cycle <= arrival.cycle);
-        self.arrivals.insert(at, arrival);
     }
 
     /// Writes `line` in cycle `now`; false if the queue is full.
@@ -117,8 +132,9 @@ impl Dram {
         accepted
     }
 
+    /// The clock at which a request of `cycle` comes: not before what has been executed already.
     fn clock(&self, cycle: u32) -> u64 {
-        u64::from(cycle) * u64::from(self.description.clocks_per_cycle)
+        (u64::from(cycle) * u64::from(self.description.clocks_per_cycle)).max(self.time)
     }
 
     fn reschedule(&mut self, channel: usize) {
@@ -126,10 +142,11 @@ impl Dram {
         self.next_of_all = self.next_of_all.min(self.next[channel]);
     }
 
-    /// Executes all commands up to the end of cycle `now`.
+    /// Executes all commands before cycle `end`.
     #[inline]
-    pub fn advance(&mut self, now: u32) {
-        let end = self.clock(now + 1);
+    pub fn advance(&mut self, end: u32) {
+        let end = u64::from(end) * u64::from(self.description.clocks_per_cycle);
+        self.time = self.time.max(end);
         while self.next_of_all < end {
             self.execute();
         }
@@ -153,25 +170,26 @@ impl Dram {
         self.next_of_all = self.next.iter().copied().min().unwrap_or(u64::MAX);
     }
 
-    /// The next line that has arrived by cycle `now`.
-    #[inline]
-    pub fn arrival(&mut self, now: u32) -> Option<Arrival> {
-        if self.arrivals.front()?.cycle > now {
-            return None;
+    /// Calls `arrives` for each line whose time of arrival has become known since the last call, and forgets those that
+    /// arrive before cycle `start`.
+    pub fn announce(&mut self, start: u32, mut arrives: impl FnMut(Arrival)) {
+        while self.arrivals.front().is_some_and(|arrival| arrival.cycle < start) {
+            self.arrivals.pop_front();
+            self.announced -= 1;
         }
-        self.arrivals.pop_front()
+        self.arrivals.iter().skip(self.announced).for_each(|arrival| arrives(*arrival));
+        self.announced = self.arrivals.len();
     }
 
-    /// The first cycle after `now` in which something can arrive or change.
-    pub fn next_event(&self, now: u32) -> u32 {
-        let arrival = self.arrivals.front().map_or(u32::MAX, |arrival| arrival.cycle);
-        let command = self.next_of_all / u64::from(self.description.clocks_per_cycle);
-        arrival.min(u32::try_from(command).unwrap_or(u32::MAX)).max(now + 1)
+    /// The first cycle in which a command may be due.
+    pub fn next_command(&self) -> u32 {
+        let cycle = self.next_of_all / u64::from(self.description.clocks_per_cycle);
+        u32::try_from(cycle).unwrap_or(u32::MAX)
     }
 
-    /// Whether somebody waits for a read.
-    pub fn is_reading(&self) -> bool {
-        !self.arrivals.is_empty() || self.channels.iter().any(Channel::is_reading)
+    /// Cycles that a read takes at least.
+    pub fn least_latency(description: &Description) -> u32 {
+        (description.timing.read_latency + description.timing.burst) / description.clocks_per_cycle
     }
 
     /// Everything that happened up to cycle `now`.

@@ -1,10 +1,10 @@
-//! Meshes with known properties.
-#![allow(dead_code, reason = "each user needs a part")]
+//! Meshes with known properties, and the random numbers to make more.
 
 use scenes::Mesh;
 use std::collections::BTreeMap;
 
 /// A closed octahedron, each triangle split in four `depth` times, its vertices on the unit sphere.
+#[must_use]
 pub fn closed_sphere(depth: u32) -> Mesh {
     let mut mesh = Mesh {
         positions: vec![
@@ -46,6 +46,7 @@ pub fn closed_sphere(depth: u32) -> Mesh {
 }
 
 /// A closed sphere with bumps.
+#[must_use]
 pub fn blob(depth: u32) -> Mesh {
     let mut mesh = closed_sphere(depth);
     for p in &mut mesh.positions {
@@ -56,6 +57,7 @@ pub fn blob(depth: u32) -> Mesh {
 }
 
 /// `n` x `n` squares of two triangles in the plane z = 0, with vertices at whole numbers.
+#[must_use]
 pub fn grid(n: u32) -> Mesh {
     let positions =
         (0..(n + 1) * (n + 1)).map(|i| [(i % (n + 1)) as f32, (i / (n + 1)) as f32, 0.0]).collect();
@@ -70,6 +72,7 @@ pub fn grid(n: u32) -> Mesh {
 }
 
 /// `mesh`, scaled, then moved.
+#[must_use]
 pub fn moved(mesh: &Mesh, scale: f32, offset: [f32; 3]) -> Mesh {
     let positions =
         mesh.positions.iter().map(|p| std::array::from_fn(|k| p[k] * scale + offset[k])).collect();
@@ -77,6 +80,7 @@ pub fn moved(mesh: &Mesh, scale: f32, offset: [f32; 3]) -> Mesh {
 }
 
 /// The twelve triangles of a box.
+#[must_use]
 pub fn box_triangles(low: [f32; 3], high: [f32; 3]) -> Vec<[[f32; 3]; 3]> {
     let corner = |i: usize| std::array::from_fn(|k| if i >> k & 1 == 0 { low[k] } else { high[k] });
     let mut triangles = vec![];
@@ -91,9 +95,12 @@ pub fn box_triangles(low: [f32; 3], high: [f32; 3]) -> Vec<[[f32; 3]; 3]> {
 }
 
 /// A small linear congruential generator: the same numbers everywhere.
+#[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
+    /// The sequence of `seed`.
+    #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -118,4 +125,12 @@ impl Random {
             }
         }
     }
+}
+
+/// A triangle soup from corners.
+#[must_use]
+pub fn soup(triangles: impl IntoIterator<Item = [[f32; 3]; 3]>) -> Mesh {
+    let positions: Vec<_> = triangles.into_iter().flatten().collect();
+    let triangles = (0..positions.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    Mesh { positions, triangles }
 }

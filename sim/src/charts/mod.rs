@@ -1,0 +1,5 @@
+//! Sweeps of one scene that chart a cost against an error.
+
+pub mod cost;
+pub mod pareto;
+pub mod precision;

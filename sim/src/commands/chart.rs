@@ -1,0 +1,232 @@
+//! `dualsplit chart`: a cost against an error.
+
+use crate::artifacts::Artifacts;
+use crate::cli::{ChartArgs, ChartKind, Global, PrecisionArgs};
+use crate::console::{Report, fixed, progress, table};
+use crate::input::{self, Built, display};
+use golden::precision::{Precision, Variant};
+use golden::render::RenderOptions;
+use golden::structure::{Structure, StructureKind};
+use serde::Serialize;
+use sim::charts::cost::format_cost;
+use sim::charts::precision::{PrecisionPoint, Sweep, formats, mark_front};
+use sim::plot::{Axis, Chart, Point, Series, Style};
+
+#[derive(Serialize)]
+struct Document {
+    scene: String,
+    triangles: usize,
+    structure: &'static str,
+    test: &'static str,
+    width: u32,
+    height: u32,
+    rays: u64,
+    /// Of binary32 in robust mode.
+    reference_node_visits: u64,
+    points: Vec<PrecisionPoint>,
+    /// Where area and energy come from.
+    cost_source: Option<String>,
+    artifacts: Vec<String>,
+}
+
+pub fn run(args: &ChartArgs, global: &Global) -> anyhow::Result<Report> {
+    match &args.chart {
+        ChartKind::Precision(args) => precision(args, global),
+    }
+}
+
+fn precision(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
+    let scene = input::scene(&args.scene, global)?;
+    let folder = args.out.clone().unwrap_or_else(|| format!("precision-{}", scene.name).into());
+    let mut artifacts = Artifacts::create(&folder, global.force)?;
+    let built = Built::new(&scene, args.quality.quality)?;
+    let [width, height] = args.size;
+    let options = RenderOptions { seed: global.seed, ..RenderOptions::new(args.test, width, height) };
+    let sweep = Sweep::new(&scene, &built.tree, &built.triangles, args.structure, options)?;
+    let formats = formats();
+    let bar = progress(formats.len() as u64, "formats");
+    let (mut points, mut cost_source) = (vec![], None);
+    // The pipeline is that of dual-split trees, whatever is traversed.
+    let (dst, _) = built.convert(StructureKind::Dst)?;
+    let rays = sweep.closest_rays(Variant::Naive.mode());
+    for format in formats {
+        bar.set_message(format.to_string());
+        let cost = match &dst {
+            Structure::Dst(dst) => format_cost(format, dst, &rays)?,
+            _ => None,
+        };
+        for variant in Variant::ALL {
+            let point = sweep.point(Precision::new(format, variant))?;
+            points.push(PrecisionPoint {
+                area_um2: cost.as_ref().map(|cost| cost.area_um2),
+                energy_pj_per_ray: cost.as_ref().map(|cost| cost.energy_pj * point.node_visits_per_ray),
+                ..point
+            });
+        }
+        cost_source = cost_source.or(cost.map(|cost| cost.source));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    mark_front(&mut points);
+
+    artifacts.write("precision.csv", &csv(&points)?)?;
+    for (name, chart) in charts(&scene.name, &sweep, &points) {
+        artifacts.write(&format!("{name}.svg"), chart.svg().as_bytes())?;
+    }
+    let document = Document {
+        scene: scene.name.clone(),
+        triangles: scene.mesh.triangles.len(),
+        structure: args.structure.name(),
+        test: args.test.name(),
+        width,
+        height,
+        rays: sweep.rays(),
+        reference_node_visits: sweep.reference_counters.node_visits,
+        points,
+        cost_source,
+        artifacts: artifacts.finish()?.iter().map(|path| display(path)).collect(),
+    };
+    let text = text(&document);
+    Ok(Report::new(&document, text))
+}
+
+fn csv(points: &[PrecisionPoint]) -> anyhow::Result<Vec<u8>> {
+    let mut csv = csv::Writer::from_writer(vec![]);
+    for point in points {
+        csv.serialize(point)?;
+    }
+    Ok(csv.into_inner()?)
+}
+
+/// Visits and error over the significand, and the front.
+fn charts(scene: &str, sweep: &Sweep<'_>, points: &[PrecisionPoint]) -> Vec<(&'static str, Chart)> {
+    // Formats with 8 exponent bits are joined by lines; the others stand alone.
+    let series = |x: fn(&PrecisionPoint) -> f64, y: &dyn Fn(&PrecisionPoint) -> f64| -> Vec<Series> {
+        let of = |variant: Variant, wide: bool| {
+            let mine = |p: &&PrecisionPoint| p.variant == variant.name() && (p.exponent_bits == 8) == wide;
+            let point = |p: &PrecisionPoint| Point {
+                x: x(p),
+                y: y(p),
+                label: (!wide).then(|| p.format.clone()),
+                marked: p.pareto,
+                ..Point::default()
+            };
+            Series {
+                name: format!("{}, {}", variant.name(), if wide { "8 exponent bits" } else { "fewer" }),
+                style: if wide { Style::Line } else { Style::Points },
+                points: points.iter().filter(mine).map(point).collect(),
+            }
+        };
+        [true, false].into_iter().flat_map(|wide| Variant::ALL.map(|v| of(v, wide))).collect()
+    };
+    let significand = |p: &PrecisionPoint| f64::from(p.significand_bits);
+    let rays = sweep.rays().max(1) as f64;
+    let rate = move |p: &PrecisionPoint| (p.false_misses + p.wrong_nearest + p.false_hits) as f64 / rays;
+    let chart =
+        |title: &str, x: Axis, y: Axis, series| Chart { title: format!("{scene}: {title}"), x, y, series };
+    let bits = || Axis::linear("significand (bits)");
+    vec![
+        (
+            "visits",
+            chart(
+                "node visits, Pareto front ringed",
+                bits(),
+                Axis::log("node visits per ray"),
+                series(significand, &|p| p.node_visits_per_ray),
+            ),
+        ),
+        (
+            "wrong-rays",
+            chart(
+                "rays that lose their hit or hit something else (none: not drawn)",
+                bits(),
+                Axis::log("fraction of rays"),
+                series(significand, &rate),
+            ),
+        ),
+        (
+            "image-error",
+            chart(
+                "image error (none: not drawn)",
+                bits(),
+                Axis::log("RMSE of linear radiance"),
+                series(significand, &|p| p.rmse),
+            ),
+        ),
+        (
+            "energy",
+            chart(
+                "energy of node steps against image error (none: at the left)",
+                Axis::log("RMSE of linear radiance, at least 1e-9"),
+                Axis::log("pJ per ray"),
+                series(|p| p.rmse.max(1e-9), &|p| p.energy_pj_per_ray.unwrap_or(f64::NAN)),
+            ),
+        ),
+        (
+            "front",
+            chart(
+                "width against visits, Pareto front ringed",
+                Axis::linear("bits per number"),
+                Axis::log("node visits per ray"),
+                series(|p| f64::from(p.exponent_bits + p.significand_bits), &|p| p.node_visits_per_ray),
+            ),
+        ),
+    ]
+}
+
+fn text(document: &Document) -> String {
+    let d = document;
+    let mut text = format!(
+        "{}: {} triangles, {}, {} {}x{}, {} rays; binary32 robust visits {} nodes per ray\n\n",
+        d.scene,
+        d.triangles,
+        d.structure,
+        d.test,
+        d.width,
+        d.height,
+        d.rays,
+        fixed(d.reference_node_visits as f64 / d.rays.max(1) as f64, 2)
+    );
+    let header = [
+        "format",
+        "variant",
+        "bits",
+        "node visits/ray",
+        "triangles/ray",
+        "false misses",
+        "false hits",
+        "wrong nearest",
+        "other distance",
+        "RMSE",
+        "differing pixels",
+        "area um2",
+        "pJ/ray",
+        "front",
+    ];
+    text += &table(
+        header,
+        d.points.iter().map(|p| {
+            [
+                p.format.clone(),
+                p.variant.to_owned(),
+                (p.exponent_bits + p.significand_bits).to_string(),
+                fixed(p.node_visits_per_ray, 2),
+                fixed(p.triangle_tests_per_ray, 2),
+                p.false_misses.to_string(),
+                p.false_hits.to_string(),
+                p.wrong_nearest.to_string(),
+                p.other_distance.to_string(),
+                format!("{:.3e}", p.rmse),
+                p.differing_pixels.to_string(),
+                p.area_um2.map(|area| fixed(area, 0)).unwrap_or_default(),
+                p.energy_pj_per_ray.map(|energy| fixed(energy, 1)).unwrap_or_default(),
+                if p.pareto { "*" } else { "" }.to_owned(),
+            ]
+        }),
+    );
+    text += "\nFront: no other has at most as many bits, visits, false misses and RMSE, and less of one.\n";
+    if let Some(source) = &d.cost_source {
+        text += &format!("Area, and energy of a ray's node steps, of the dual-split pipeline: {source}.\n");
+    }
+    text
+}

@@ -1,0 +1,257 @@
+//! `dualsplit estimate`: area, energy and speed of the pipelines, beside the published figures.
+
+mod report;
+mod synthesis;
+
+use crate::artifacts::Artifacts;
+use crate::cli::{EstimateArgs, Global, SceneArgs};
+use crate::console::{Report, progress};
+use crate::input;
+use anyhow::{Context, ensure};
+use hdl::catalogue::Top;
+use hdl::netlist::inventory;
+use serde::Serialize;
+use sim::estimate::{
+    Alternative, Breakdown, EstimateError, Implementation, Method, ModuleRow, NodeType, PaperFigures,
+    Scaling, Workload, alternatives, cost,
+};
+use sim::gates::liberty::{embedded, load};
+use sim::gates::words::Structures;
+
+#[derive(Serialize)]
+struct Document {
+    scene: String,
+    library: LibraryRow,
+    pipelines: Vec<PipelineRow>,
+    /// The same without redundant comparators.
+    lean_pipelines: Vec<PipelineRow>,
+    ratios: Vec<RatioRow>,
+    alternatives: Vec<Alternative>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    synthesis: Vec<synthesis::SynthesisRow>,
+}
+
+#[derive(Serialize)]
+struct LibraryRow {
+    name: String,
+    source: String,
+    node_nm: Option<u32>,
+    voltage_v: f64,
+    gate_equivalent_um2: f64,
+    /// Factors to 65 nm, where there are any.
+    scaling: Option<Scaling>,
+}
+
+#[derive(Serialize)]
+struct Units {
+    int_add: u32,
+    fp_add: u32,
+    fp_mul: u32,
+    fp_min_max: u32,
+    fp_cmp: u32,
+}
+
+#[derive(Serialize)]
+struct EstimateRow {
+    method: &'static str,
+    area_um2: f64,
+    energy_pj: f64,
+    glue_area_um2: f64,
+    glue_energy_pj: f64,
+    source: String,
+}
+
+#[derive(Serialize)]
+struct TypeRow {
+    node_type: NodeType,
+    /// Share of the scene's operations.
+    share: f64,
+    energy: Breakdown,
+    energy_with_glitches: Breakdown,
+}
+
+#[derive(Serialize)]
+struct PipelineRow {
+    name: &'static str,
+    units: Units,
+    latency_cycles: Option<u32>,
+    published: PaperFigures,
+    estimates: Vec<EstimateRow>,
+    /// In the library, square micrometres.
+    area: Breakdown,
+    /// Of one operation of the scene in the library, femtojoules.
+    energy: Breakdown,
+    /// The same with glitches.
+    energy_with_glitches: Breakdown,
+    operations: u64,
+    glitch_operations: u64,
+    cells: usize,
+    registers: usize,
+    leakage_uw: f64,
+    critical_path_ns: f64,
+    clock_mhz: f64,
+    modules: Vec<ModuleRow>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    node_types: Vec<TypeRow>,
+}
+
+#[derive(Serialize)]
+struct RatioRow {
+    method: String,
+    /// Ray-box over dual-split.
+    area: f64,
+    energy: f64,
+}
+
+pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
+    ensure!(
+        !args.synth || args.liberty.len() == 1,
+        "--synth needs one --liberty FILE, which yosys and ABC map to as well"
+    );
+    let library = if args.liberty.is_empty() { embedded() } else { load(&args.liberty)? };
+    let scene = input::scene(&SceneArgs { scene: args.scene.clone(), detail: args.detail }, global)?;
+    let workload = Workload::new(&scene, args.quality.quality)?;
+    let tops = [Top::DualSplit, Top::RayBox, Top::DualSplitLean, Top::RayBoxLean];
+    let bar = progress(tops.len() as u64 + 1, "mapping and measuring");
+    let mut rows = Vec::new();
+    let mut implementations = Vec::new();
+    for top in tops {
+        let implementation = Implementation::new(top, &library, Structures::default())?;
+        rows.push(pipeline(&implementation, &workload)?);
+        implementations.push(implementation);
+        bar.inc(1);
+    }
+    let alternatives = alternatives(&implementations[0], &library, &workload)?;
+    bar.finish_and_clear();
+    let synthesis = if args.synth {
+        let [liberty] = args.liberty.as_slice() else { unreachable!("one file, as checked") };
+        synthesis::run(&implementations[..2], liberty)?
+    } else {
+        Vec::new()
+    };
+    let lean_pipelines = rows.split_off(2);
+    let document = Document {
+        scene: workload.scene.clone(),
+        library: LibraryRow {
+            name: library.name.clone(),
+            source: library.source.clone(),
+            node_nm: library.node_nm,
+            voltage_v: library.voltage_v,
+            gate_equivalent_um2: library.gate_equivalent_um2(),
+            scaling: Scaling::of(&library),
+        },
+        ratios: ratios(&rows),
+        pipelines: rows,
+        lean_pipelines,
+        alternatives,
+        synthesis,
+    };
+    let sections = report::sections(&document);
+    let text = report::text(&sections);
+    if let Some(folder) = &args.out {
+        let mut artifacts = Artifacts::create(folder, global.force)?;
+        let json = serde_json::to_vec_pretty(&document).context("estimate.json")?;
+        artifacts.write("estimate.txt", text.as_bytes())?;
+        artifacts.write("estimate.json", &json)?;
+        artifacts.write("estimate.csv", &report::csv(&document)?)?;
+        artifacts.write("estimate.html", report::html(&sections).as_bytes())?;
+        artifacts.finish()?;
+    }
+    Ok(Report::new(&document, text))
+}
+
+fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Result<PipelineRow> {
+    let top = implementation.top;
+    let counts = inventory(&implementation.design)?;
+    let count = |kind: &str| counts.units.get(kind).copied().unwrap_or(0);
+    let stream = workload.streams(implementation)?;
+    let energy = implementation.energy(&stream);
+    let mut estimates = Vec::new();
+    let methods = [
+        ("published", Method::Published),
+        ("netlist", Method::Netlist(implementation.library)),
+        ("scaled", Method::Scaled(implementation.library)),
+    ];
+    for (name, method) in methods {
+        match cost(implementation, &energy.zero_delay, method) {
+            Ok(cost) => estimates.push(EstimateRow {
+                method: name,
+                area_um2: cost.area_um2,
+                energy_pj: cost.energy_pj,
+                glue_area_um2: cost.glue_area_um2,
+                glue_energy_pj: cost.glue_energy_pj,
+                source: cost.source,
+            }),
+            // A technology without published coefficients has no such row; the report says so.
+            Err(EstimateError::Unscalable(_)) => (),
+            Err(error) => return Err(error.into()),
+        }
+    }
+    let is_box = matches!(top, Top::RayBox | Top::RayBoxLean);
+    let mut node_types = Vec::new();
+    for node_type in NodeType::ALL.into_iter().filter(|_| !is_box) {
+        let stream = workload.nodes_of(implementation, |other| other == node_type);
+        let energy = implementation.energy(&stream);
+        if energy.operations > 0 {
+            node_types.push(TypeRow {
+                node_type,
+                share: stream.len() as f64 / workload.nodes.len() as f64,
+                energy: energy.zero_delay,
+                energy_with_glitches: energy.with_glitches,
+            });
+        }
+    }
+    Ok(PipelineRow {
+        name: top.name(),
+        units: Units {
+            int_add: count("int_add"),
+            fp_add: count("fp_add"),
+            fp_mul: count("fp_mul"),
+            fp_min_max: count("fp_min_max"),
+            fp_cmp: count("fp_cmp"),
+        },
+        latency_cycles: counts.latency_cycles,
+        published: PaperFigures::of(top)?,
+        estimates,
+        area: implementation.area(),
+        energy: energy.zero_delay,
+        energy_with_glitches: energy.with_glitches,
+        operations: energy.operations,
+        glitch_operations: energy.glitch_operations,
+        cells: implementation.mapped.gates.len(),
+        registers: implementation.mapped.registers.len(),
+        leakage_uw: implementation.leakage_nw() / 1e3,
+        critical_path_ns: implementation.timing.critical_path_ns,
+        clock_mhz: implementation.timing.clock_mhz(),
+        modules: implementation.modules(),
+        node_types,
+    })
+}
+
+/// How much smaller the dual-split pipeline is, by each method.
+fn ratios(rows: &[PipelineRow]) -> Vec<RatioRow> {
+    let [dual_split, ray_box] = rows else { return Vec::new() };
+    let mut ratios = vec![RatioRow {
+        method: "paper".to_owned(),
+        area: ray_box.published.area_um2 / dual_split.published.area_um2,
+        energy: ray_box.published.energy_pj / dual_split.published.energy_pj,
+    }];
+    for (small, large) in dual_split.estimates.iter().zip(&ray_box.estimates) {
+        ratios.push(RatioRow {
+            method: small.method.to_owned(),
+            area: large.area_um2 / small.area_um2,
+            energy: large.energy_pj / small.energy_pj,
+        });
+    }
+    ratios.push(RatioRow {
+        method: "netlist with registers and clock".to_owned(),
+        area: ray_box.area.total() / dual_split.area.total(),
+        energy: ray_box.energy.total() / dual_split.energy.total(),
+    });
+    ratios.push(RatioRow {
+        method: "netlist with registers, clock and glitches".to_owned(),
+        area: ray_box.area.total() / dual_split.area.total(),
+        energy: ray_box.energy_with_glitches.total() / dual_split.energy_with_glitches.total(),
+    });
+    ratios
+}

@@ -1,0 +1,227 @@
+//! Our percentages beside the published ones.
+//!
+//! Published: D. Lin, E. Vasiou, C. Yuksel, D. Kopta, E. Brunvand, "Hardware-Accelerated Dual-Split Trees", HPG 2020, as
+//! presented there.
+
+use super::row::Row;
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// A claim of the paper and what we find.
+#[derive(Clone, Debug, Serialize)]
+pub struct Claim {
+    pub claim: String,
+    pub published: String,
+    pub ours: String,
+    /// `yes`, `partly` where some scenes agree, `no`, or `-` without data.
+    pub holds: &'static str,
+}
+
+/// Least and greatest change in percent over all scenes.
+struct Range {
+    least: f64,
+    most: f64,
+}
+
+struct Table<'a> {
+    rows: &'a [Row],
+}
+
+impl Table<'_> {
+    fn scenes(&self) -> Vec<&str> {
+        let scenes: BTreeSet<&str> = self.rows.iter().map(|row| row.scene.as_str()).collect();
+        scenes.into_iter().collect()
+    }
+
+    fn value(&self, scene: &str, test: &str, structure: &str, of: fn(&Row) -> f64) -> Option<f64> {
+        let found = self.rows.iter().find(|r| r.scene == scene && r.test == test && r.structure == structure);
+        found.map(of)
+    }
+
+    /// Change of `of` from `base` to `structure` in percent, by scene.
+    fn changes(&self, test: &str, structure: &str, base: &str, of: fn(&Row) -> f64) -> Vec<f64> {
+        let change = |scene: &str| {
+            let base = self.value(scene, test, base, of)?;
+            Some(100.0 * (self.value(scene, test, structure, of)? / base - 1.0))
+        };
+        self.scenes().into_iter().filter_map(change).collect()
+    }
+
+    /// In how many scenes `structure` has the least of `of` among `among`, of how many.
+    fn least(&self, test: &str, structure: &str, among: &[&str], of: fn(&Row) -> f64) -> (usize, usize) {
+        let scenes = self.scenes();
+        let is_least = |scene: &&str| {
+            let own = self.value(scene, test, structure, of)?;
+            let others = among.iter().filter(|other| **other != structure);
+            let mut values = others.filter_map(|other| self.value(scene, test, other, of));
+            Some(values.all(|value| own <= value))
+        };
+        let known: Vec<bool> = scenes.iter().filter_map(is_least).collect();
+        (known.iter().filter(|least| **least).count(), known.len())
+    }
+}
+
+const STRUCTURES: [&str; 8] = ["dst", "dst-sw", "bvh2", "bvh4", "bvh8", "bvh2+", "bvh4+", "bvh8+"];
+
+fn time(row: &Row) -> f64 {
+    row.frame_ms
+}
+
+fn energy(row: &Row) -> f64 {
+    row.energy_mj
+}
+
+fn cache_energy(row: &Row) -> f64 {
+    row.cache_mj
+}
+
+fn percent(changes: &[f64]) -> String {
+    if changes.is_empty() {
+        return "no data".to_owned();
+    }
+    let least = changes.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = changes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    format!("{most:+.1} .. {least:+.1} %")
+}
+
+/// Whether the changes lie in the published range.
+fn within(changes: &[f64], published: &Range) -> &'static str {
+    let inside = changes.iter().filter(|c| **c >= published.least && **c <= published.most).count();
+    judge(inside, changes.len())
+}
+
+fn judge(good: usize, all: usize) -> &'static str {
+    match (good, all) {
+        (_, 0) => "-",
+        _ if good == all => "yes",
+        (0, _) => "no",
+        _ => "partly",
+    }
+}
+
+/// All claims.
+pub fn compare(rows: &[Row], scaling: &[Row]) -> Vec<Claim> {
+    let table = Table { rows };
+    let mut claims = vec![];
+    let mut range = |test: &str, base: &str, what: &str, of: fn(&Row) -> f64, published: Range| {
+        let changes = table.changes(test, "dst", base, of);
+        claims.push(Claim {
+            claim: format!("{test}: {what}, dst against {base}"),
+            published: format!("{:+.0} .. {:+.0} %", published.most, published.least),
+            ours: percent(&changes),
+            holds: within(&changes, &published),
+        });
+    };
+    range("raycast", "bvh2", "time", time, Range { least: -25.0, most: -2.0 });
+    range("raycast", "bvh2", "energy", energy, Range { least: -41.0, most: -23.0 });
+    range("raycast", "dst-sw", "time", time, Range { least: -34.0, most: -20.0 });
+    range("raycast", "dst-sw", "energy", energy, Range { least: -28.0, most: -17.0 });
+    range("path", "bvh2", "time", time, Range { least: -31.0, most: -21.0 });
+    range("path", "bvh2", "energy", energy, Range { least: -38.0, most: -26.0 });
+    range("path", "dst-sw", "time", time, Range { least: -34.0, most: 0.0 });
+    range("path", "dst-sw", "energy", energy, Range { least: -24.0, most: 0.0 });
+    let mut count = |claim: &str, published: &str, (good, all): (usize, usize)| {
+        claims.push(Claim {
+            claim: claim.to_owned(),
+            published: published.to_owned(),
+            ours: format!("{good} of {all} scenes"),
+            holds: judge(good, all),
+        });
+    };
+    count("path: dst is fastest", "everywhere", table.least("path", "dst", &STRUCTURES, time));
+    count(
+        "raycast: dst has the lowest energy",
+        "everywhere",
+        table.least("raycast", "dst", &STRUCTURES, energy),
+    );
+    count("path: dst has the lowest energy", "everywhere", table.least("path", "dst", &STRUCTURES, energy));
+    let single = ["dst", "dst-sw", "bvh2", "bvh4", "bvh8"];
+    count(
+        "raycast: dst is fastest among single pipelines",
+        "everywhere",
+        table.least("raycast", "dst", &single, time),
+    );
+    let beaten = table.changes("raycast", "dst", "bvh2+", time);
+    claims.push(Claim {
+        claim: "raycast: bvh2+ is sometimes faster than dst".to_owned(),
+        published: "sometimes".to_owned(),
+        ours: format!("in {} of {} scenes", beaten.iter().filter(|c| **c > 0.0).count(), beaten.len()),
+        holds: if beaten.is_empty() {
+            "-"
+        } else if beaten.iter().any(|c| *c > 0.0) {
+            "yes"
+        } else {
+            "no"
+        },
+    });
+    let cache = |scene: &str| {
+        let ours = table.value(scene, "path", "dst", cache_energy)?;
+        Some(100.0 * (ours / table.value(scene, "path", "dst-sw", cache_energy)? - 1.0))
+    };
+    if let Some(change) = cache("hairball") {
+        claims.push(Claim {
+            claim: "hairball, path: cache energy, dst against dst-sw".to_owned(),
+            published: "much lower".to_owned(),
+            ours: format!("{change:+.1} %"),
+            holds: if change < -20.0 { "yes" } else { "no" },
+        });
+    }
+    claims.extend(growth(&table));
+    claims.extend(scaling_claim(scaling));
+    claims
+}
+
+/// Whether the gain over BVH2 grows with the scene: the rank correlation of triangles and speed-up in path tracing.
+fn growth(table: &Table<'_>) -> Option<Claim> {
+    let mut gains: Vec<(u64, f64)> = vec![];
+    for scene in table.scenes() {
+        let triangles = table.rows.iter().find(|row| row.scene == scene)?.triangles;
+        let gain = table.value(scene, "path", "bvh2", time)? / table.value(scene, "path", "dst", time)?;
+        gains.push((triangles, gain));
+    }
+    if gains.len() < 3 {
+        return None;
+    }
+    let (mut agreeing, mut pairs) = (0i32, 0i32);
+    for (i, a) in gains.iter().enumerate() {
+        for b in &gains[..i] {
+            pairs += 1;
+            agreeing += if (a.0 > b.0) == (a.1 > b.1) { 1 } else { -1 };
+        }
+    }
+    let tau = f64::from(agreeing) / f64::from(pairs);
+    Some(Claim {
+        claim: "path: the gain over bvh2 grows with the scene (Kendall's tau)".to_owned(),
+        published: "grows".to_owned(),
+        ours: format!("{tau:+.2}"),
+        holds: if tau > 0.0 { "yes" } else { "no" },
+    })
+}
+
+/// Speed-up from the fewest to the most multiprocessors.
+fn scaling_claim(scaling: &[Row]) -> Option<Claim> {
+    let tms = || scaling.iter().map(|row| row.tms);
+    let (few, many) = (tms().min()?, tms().max()?);
+    let cycles = |structure: &str, tms: u32| {
+        let found = scaling.iter().find(|row| row.structure == structure && row.tms == tms)?;
+        Some(found.cycles as f64)
+    };
+    let speed_up = |structure: &str| Some(cycles(structure, few)? / cycles(structure, many)?);
+    let [dst, bvh2, bvh4, bvh8] = ["dst", "bvh2", "bvh4", "bvh8"].map(speed_up);
+    let (dst, bvh2, bvh4, bvh8) = (dst?, bvh2?, bvh4?, bvh8?);
+    Some(Claim {
+        claim: format!("speed-up from {few} to {many} TMs: dst, bvh2, bvh4, bvh8"),
+        published: "dst above bvh2 and bvh4, about like bvh8".to_owned(),
+        ours: format!("{dst:.2}, {bvh2:.2}, {bvh4:.2}, {bvh8:.2}"),
+        holds: judge(usize::from(dst >= bvh2) + usize::from(dst >= bvh4), 2),
+    })
+}
+
+/// The claims as CSV with a header.
+pub fn csv(claims: &[Claim]) -> anyhow::Result<String> {
+    let mut writer = csv::Writer::from_writer(vec![]);
+    for claim in claims {
+        writer.serialize(claim)?;
+    }
+    Ok(String::from_utf8(writer.into_inner()?)?)
+}

@@ -1,0 +1,107 @@
+//! The study as pictures.
+
+use super::row::Row;
+use sim::machine::frame::MachineStructure;
+use sim::plot::{Axis, Bars, Chart, Point, Series, Style};
+use std::collections::BTreeSet;
+
+/// File names and drawings.
+pub fn all(rows: &[Row], scaling: &[Row]) -> Vec<(String, String)> {
+    let mut plots = vec![];
+    for test in ["raycast", "path"] {
+        plots.push((format!("time-{test}.svg"), bars(rows, test, "Frame time", "ms", |row| row.frame_ms)));
+        plots.push((format!("energy-{test}.svg"), bars(rows, test, "Energy", "mJ", |row| row.energy_mj)));
+        for scene in scenes(rows) {
+            plots.push((format!("energy-split-{scene}-{test}.svg"), split(rows, scene, test)));
+        }
+    }
+    let bytes = |row: &Row| row.node_bytes as f64 / 1e6;
+    plots.push(("tree-size.svg".to_owned(), bars(rows, "path", "Size of the tree", "MB", bytes)));
+    if !scaling.is_empty() {
+        plots.push(("scaling.svg".to_owned(), speed_up(scaling)));
+    }
+    plots
+}
+
+fn scenes(rows: &[Row]) -> Vec<&str> {
+    let scenes: BTreeSet<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
+    scenes.into_iter().collect()
+}
+
+/// A quantity of every structure in every scene.
+fn bars(rows: &[Row], test: &str, title: &str, unit: &str, of: fn(&Row) -> f64) -> String {
+    let scenes = scenes(rows);
+    let value = |structure: MachineStructure, scene: &&str| {
+        let found = rows
+            .iter()
+            .find(|row| row.scene == **scene && row.test == test && row.structure == structure.name());
+        found.map(of)
+    };
+    let series = MachineStructure::ALL.map(|structure| {
+        (structure.name().to_owned(), scenes.iter().map(|scene| value(structure, scene)).collect())
+    });
+    Bars {
+        title: format!("{title}, {test}"),
+        unit: unit.to_owned(),
+        categories: scenes.iter().map(|scene| (*scene).to_owned()).collect(),
+        series: series.to_vec(),
+        stacked: false,
+        max: None,
+    }
+    .svg()
+}
+
+/// Energy of every structure in one scene by memory, caches and computation.
+fn split(rows: &[Row], scene: &str, test: &str) -> String {
+    let of = |part: fn(&Row) -> f64| {
+        let value = |structure: MachineStructure| {
+            let row = rows
+                .iter()
+                .find(|row| row.scene == scene && row.test == test && row.structure == structure.name());
+            row.map(part)
+        };
+        MachineStructure::ALL.map(value).to_vec()
+    };
+    Bars {
+        title: format!("Energy in {scene}, {test}"),
+        unit: "mJ".to_owned(),
+        categories: MachineStructure::ALL.map(|structure| structure.name().to_owned()).to_vec(),
+        series: vec![
+            ("DRAM".to_owned(), of(|row| row.dram_mj)),
+            ("cache".to_owned(), of(|row| row.cache_mj)),
+            ("compute".to_owned(), of(|row| row.compute_mj)),
+        ],
+        stacked: true,
+        max: None,
+    }
+    .svg()
+}
+
+/// Speed-up over the fewest multiprocessors.
+fn speed_up(scaling: &[Row]) -> String {
+    let fewest = scaling.iter().map(|row| row.tms).min().unwrap_or(1);
+    let mut series = vec![];
+    for structure in MachineStructure::ALL {
+        let mut runs: Vec<&Row> = scaling.iter().filter(|row| row.structure == structure.name()).collect();
+        runs.sort_by_key(|row| row.tms);
+        let Some(base) = runs.iter().find(|row| row.tms == fewest) else { continue };
+        let point = |row: &&Row| Point {
+            x: f64::from(row.tms),
+            y: base.cycles as f64 / row.cycles as f64,
+            ..Point::default()
+        };
+        series.push(Series {
+            name: structure.name().to_owned(),
+            points: runs.iter().map(point).collect(),
+            style: Style::Line,
+        });
+    }
+    let scene = scaling.first().map_or("", |row| row.scene.as_str());
+    Chart {
+        title: format!("Speed-up with multiprocessors, {scene}, path"),
+        x: Axis::log("thread multiprocessors"),
+        y: Axis::log("speed-up"),
+        series,
+    }
+    .svg()
+}

@@ -1,0 +1,39 @@
+//! How long the chains of carve nodes are that rays pass through.
+
+use golden::dst::header::{CARVE, LEAF, OFFSET};
+use golden::dst::{Dst, MAX_CARVES};
+use golden::traverse::{Tests, Traversal};
+
+/// Visits of carve nodes by their place in their chain: the first counts at 0.
+#[derive(Clone, Debug)]
+pub struct CarveLevels<'a> {
+    dst: &'a Dst,
+    /// Visits by place in the chain.
+    pub visits: [u64; MAX_CARVES],
+    /// Where the carve node visited last leads, and its place.
+    previous: Option<(u32, usize)>,
+}
+
+impl<'a> CarveLevels<'a> {
+    /// Counts visits of `dst`.
+    #[must_use]
+    pub fn new(dst: &'a Dst) -> Self {
+        Self { dst, visits: [0; MAX_CARVES], previous: None }
+    }
+}
+
+impl Traversal for CarveLevels<'_> {
+    fn node(&mut self, word_address: u32, _words: u32, _tests: Tests) {
+        let header = self.dst.node(word_address)[0];
+        let is_carve = CARVE.get(header) == 1;
+        // A carve node is read right after the one that leads to it, if that was not missed.
+        let place = match self.previous {
+            Some((target, place)) if is_carve && target == word_address => place + 1,
+            _ => 0,
+        };
+        if is_carve {
+            self.visits[place.min(MAX_CARVES - 1)] += 1;
+        }
+        self.previous = (is_carve && LEAF.get(header) == 0).then(|| (OFFSET.get(header), place));
+    }
+}
