@@ -2,8 +2,8 @@
 //!
 //! Scopes are the instances, signals their ports, registers and locals under the names of the source. One clock cycle lasts
 //! [`CYCLE_NS`]: inputs change at its start, registers in its middle, with the rising edge. Signals that carry a code get a
-//! second one beside them, `<name>_text`, whose values are words: the type of the node in a header, and the dual-split
-//! pipeline's return value.
+//! second one beside them, `<name>_text`, whose values are words: the type of the node in a header, the dual-split
+//! pipeline's return value, and the routing of the shared units.
 
 use std::io::{self, Write};
 
@@ -39,8 +39,15 @@ pub fn return_value(code: u128) -> &'static str {
     ["miss", "one_child", "two_children", "leaf"][(code & 3) as usize]
 }
 
+/// What the shared block's units are routed into.
+#[must_use]
+pub fn routing(mode: u128) -> &'static str {
+    ["threads", "ray_box", "dual_split", "reserved"][(mode & 3) as usize]
+}
+
 fn decoder(name: &str) -> Option<Decode> {
     match name {
+        "mode_i" => Some(routing),
         "header_i" | "header_o" => Some(node_type),
         "code_o" => Some(return_value),
         _ => None,

@@ -284,6 +284,9 @@ pub struct CheckArgs {
     /// Operations to compare for each, besides stalls and bubbles.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
+    /// Put the Nth of the unit's faults into its netlist first, counted from 0, to see the check fail.
+    #[arg(long, value_name = "N", requires = "unit", conflicts_with_all = ["exhaustive", "prove"])]
+    pub mutate: Option<usize>,
     /// Compare all pairs of operands of a format of at most 16 bits instead, in every mode of the unit: add, sub, mul, min,
     /// max, lt, le or eq.
     #[arg(long, num_args = 2, value_names = ["FORMAT", "OP"], conflicts_with_all = ["unit", "vectors", "prove"])]
@@ -318,7 +321,7 @@ pub struct ExportArgs {
 
 #[derive(Args, Debug)]
 pub struct WaveArgs {
-    /// The pipeline: dual_split, dual_split_lean, ray_box or ray_box_lean.
+    /// The unit or pipeline; single units show what they are given inside the dual-split pipeline.
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Top,
     /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.

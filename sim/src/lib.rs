@@ -2,6 +2,7 @@
 //! gates with its area and energy, and the machine that it is part of.
 
 pub mod charts;
+pub mod drive;
 pub mod estimate;
 pub mod gates;
 pub mod logic;

@@ -2,6 +2,7 @@
 
 mod support;
 
+use hdl::catalogue::Top;
 use support::{Workplace, has_keys};
 
 const COUNTERS: [&str; 4] = ["node_visits", "plane_tests", "box_tests", "triangle_tests"];
@@ -329,6 +330,22 @@ fn check() {
     let text = String::from_utf8(work.run("check --unit fp_cmp --vectors 100").stdout).unwrap();
     assert!(text.contains("| fp_cmp") && text.contains("NaN operand"), "{text}");
     work.refused("check --unit fp_div", &["fp_div", "fp_add"]);
+
+    // A fault in the netlist is a difference: exit code 1, and the first mismatch with its seed.
+    let line = "check --unit fp_cmp --vectors 2000 --seed 3 --mutate 0";
+    let faulty = work.run(&format!("{line} --json"));
+    assert_eq!(faulty.status.code(), Some(1));
+    let faulty: serde_json::Value = serde_json::from_slice(&faulty.stdout).unwrap();
+    assert!(faulty["fault"].as_str().unwrap().starts_with("fp_cmp."), "{faulty}");
+    assert!(faulty["units"][0]["mismatches"].as_u64().unwrap() > 0);
+    assert!(faulty["units"][0]["first_mismatch"].as_str().unwrap().contains("should be"));
+    let text = String::from_utf8(work.run(line).stdout).unwrap();
+    assert!(
+        text.contains("fault put in: fp_cmp.") && text.contains("first mismatch with --seed 3"),
+        "{text}"
+    );
+    work.refused("check --unit fp_cmp --mutate 100000", &["--mutate 100000", "fp_cmp has"]);
+    work.refused("check --mutate 0", &["--unit"]);
 }
 
 #[test]
@@ -379,22 +396,24 @@ fn export() {
 #[test]
 fn wave() {
     let work = Workplace::new();
-    for unit in ["dual_split", "ray_box"] {
+    for unit in Top::ALL {
         let out = format!("{unit}.vcd");
         let document = work.json(&format!("wave --unit {unit} --scene scene.obj --rays 2 --out {out}"));
         has_keys(&document, &["unit", "rays", "operations", "cycles"]);
         assert!(document["operations"].as_u64().unwrap() >= 2);
+        assert!(document["cycles"].as_u64() > document["operations"].as_u64());
         let dump = String::from_utf8(work.read(&out)).unwrap();
         for words in ["$timescale 1 ns", &format!("$scope module {unit}"), "clk_i", "$enddefinitions"] {
             assert!(dump.contains(words), "{words}");
         }
-        assert_eq!(dump.contains("header_i_text"), unit == "dual_split");
+        let has_node = [Top::DualSplit, Top::DualSplitLean, Top::SharedUnits].contains(unit);
+        assert_eq!(dump.contains("header_i_text"), has_node);
+        assert_eq!(has_node, dump.contains("sleaf "), "{unit}: a ray reaches a leaf");
+        assert_eq!(*unit == Top::SharedUnits, dump.contains("sthreads "));
     }
-    let dump = String::from_utf8(work.read("dual_split.vcd")).unwrap();
-    assert!(dump.contains("sleaf "), "a ray has reached a leaf");
     work.refused(
         "wave --unit dual_split --scene scene.obj --out dual_split.vcd",
         &["dual_split.vcd", "--force"],
     );
-    work.refused("wave --unit fp_add --scene scene.obj --out x.vcd", &["fp_add", "dual_split"]);
+    work.refused("wave --unit fp_div --scene scene.obj --out x.vcd", &["fp_div", "dual_split"]);
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::process::Command;
+use std::sync::Mutex;
 
 /// Whether a tool can be run. Without it a test says so and passes; with `CI` set it fails instead.
 ///
@@ -29,4 +30,55 @@ pub fn run(folder: &Path, command: &str, arguments: &[&str]) -> Result<String, S
     let text =
         String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     if output.status.success() { Ok(text) } else { Err(text) }
+}
+
+/// Whether yosys and ABC can be run, as [`available`].
+///
+/// # Panics
+/// Where `CI` is set and one is missing.
+#[must_use]
+pub fn provers_available() -> bool {
+    available("yosys") && available(abc())
+}
+
+/// ABC under the name that it is installed by.
+fn abc() -> &'static str {
+    let names = ["yosys-abc", "berkeley-abc"];
+    let starts = |name: &&str| Command::new(name).args(["-q", "quit"]).output().is_ok();
+    names.into_iter().find(starts).unwrap_or(names[0])
+}
+
+/// Runs a yosys script that writes `gold.aig` and `gate.aig` into `folder`, and asks ABC whether they are equivalent: by
+/// the command `cec` for logic, by `dsec` for circuits that start with all registers zero.
+///
+/// # Errors
+/// What ABC says if they are not, and what yosys says if it fails.
+///
+/// # Panics
+/// If a tool cannot be started.
+pub fn prove(folder: &Path, script: &str, command: &str) -> Result<(), String> {
+    run(folder, "yosys", &["-q", "-s", script])?;
+    let answer = run(folder, abc(), &["-c", &format!("{command} gold.aig gate.aig")])?;
+    // A difference is no failure to ABC, and neither is a file that it cannot read.
+    if answer.contains("Networks are equivalent") { Ok(()) } else { Err(answer) }
+}
+
+/// Calls `work` for each item, on as many threads as there are processors; the first items first.
+///
+/// # Panics
+/// If `work` does.
+pub fn in_parallel<T: Send>(items: impl IntoIterator<Item = T>, work: impl Fn(T) + Sync) {
+    let queue = Mutex::new(items.into_iter().collect::<std::collections::VecDeque<T>>());
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let item = queue.lock().expect("no panic while it is held").pop_front();
+                    let Some(item) = item else { break };
+                    work(item);
+                }
+            });
+        }
+    });
 }

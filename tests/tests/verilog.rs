@@ -1,25 +1,23 @@
-//! The exported Verilog in Icarus and Verilator, on the streams that the netlist and golden agree on.
+//! The exported Verilog in Icarus and Verilator, with golden's outputs.
+//!
+//! Icarus runs the exported testbench. Verilator runs a hundred times as many vectors, streamed to a harness in C++: the
+//! model's inputs and golden's claims about its outputs, nothing from the netlist.
 //!
 //! A tool that is missing skips its test, or fails it where `CI` is set.
 
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::equivalence::{Model, Stimulus, compare};
-use hdl::netlist::flatten;
+use hdl::netlist::{Change, Design, Flat, Mutation, flatten, mutate};
 use hdl::verilog::testbench::{hex_line, testbench};
-use hdl::verilog::text;
+use hdl::verilog::{Namespace, port_names, text};
+use std::fmt::Write as _;
+use std::io::{BufWriter, Write as _};
 use std::path::Path;
-use tests::tools::{available, run};
+use std::process::{Command, Stdio};
+use tests::tools::{available, in_parallel, run};
 
 const ICARUS_VECTORS: u64 = 10_000;
 const VERILATOR_VECTORS: u64 = 1_000_000;
-/// Vectors in one file: a testbench holds them all in memory.
-const CHUNK: u64 = 50_000;
-
-/// Tops that a simulator gets through in seconds.
-const SMALL: [Top; 7] =
-    [Top::IntAdd, Top::FpAdd, Top::FpMul, Top::FpMinMax, Top::FpCmp, Top::DualSplit, Top::DualSplitLean];
-const LARGE: [Top; 6] =
-    [Top::RayBox, Top::RayBoxLean, Top::RayBoxX2, Top::RayBoxX4, Top::RayBoxX8, Top::SharedUnits];
 
 /// Writes source and testbench of `top`.
 fn write_sources(folder: &Path, top: Top, capacity: u64) {
@@ -50,11 +48,17 @@ fn write_vectors(folder: &Path, top: Top, count: u64, seed: u64) {
     std::fs::write(folder.join(format!("{top}_vectors.hex")), lines).unwrap();
 }
 
-fn icarus(tops: &[Top]) {
+/// Every top, the largest first.
+fn tops() -> impl Iterator<Item = Top> {
+    Top::ALL.iter().rev().copied()
+}
+
+#[test]
+fn icarus_gives_goldens_outputs() {
     if !available("iverilog") {
         return;
     }
-    for &top in tops {
+    in_parallel(tops(), |top| {
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
         write_sources(folder, top, ICARUS_VECTORS);
@@ -64,52 +68,143 @@ fn icarus(tops: &[Top]) {
         let printed = run(folder, "vvp", &["-n", "simulation"]).unwrap();
         assert!(printed.contains(&format!("PASS: {top}, {ICARUS_VECTORS} vectors")), "{printed}");
         println!("{}", printed.trim());
-    }
+    });
 }
 
-fn verilator(tops: &[Top]) {
-    if !available("verilator") {
+#[test]
+fn verilator_gives_goldens_outputs() {
+    if !available("verilator") || !available("g++") {
         return;
     }
-    for &top in tops {
+    let runtime = tempfile::tempdir().unwrap();
+    compile_runtime(runtime.path());
+    in_parallel(tops(), |top| {
         let folder = tempfile::tempdir().unwrap();
-        let folder = folder.path();
-        write_sources(folder, top, CHUNK);
-        let (bench, sources) = (format!("{top}_tb"), [format!("{top}_tb.v"), format!("{top}.v")]);
-        let options = ["--binary", "--timing", "-O3", "-Wno-fatal", "-Wno-lint", "-o", "simulation"];
-        let arguments: Vec<&str> =
-            options.into_iter().chain(["--top-module", &bench, &sources[0], &sources[1]]).collect();
-        run(folder, "verilator", &arguments).unwrap();
-        for seed in 0..VERILATOR_VECTORS / CHUNK {
-            write_vectors(folder, top, CHUNK, seed);
-            let printed = run(folder, "obj_dir/simulation", &[]).unwrap();
-            assert!(printed.contains(&format!("PASS: {top}, {CHUNK} vectors")), "{printed}");
-        }
-        println!("PASS: {top}, {VERILATOR_VECTORS} vectors in Verilator");
+        let design = top.design(StandardFormat::Binary32).unwrap();
+        compile_model(folder.path(), runtime.path(), &design);
+        let differing = differing(folder.path(), top, &flatten(&design).unwrap(), VERILATOR_VECTORS);
+        assert_eq!(differing, format!("0 of {VERILATOR_VECTORS} vectors differ"), "{top}");
+        println!("{top}: {differing}");
+    });
+}
+
+#[test]
+fn verilator_finds_faults() {
+    if !available("verilator") || !available("g++") {
+        return;
+    }
+    let runtime = tempfile::tempdir().unwrap();
+    compile_runtime(runtime.path());
+    for (value, change) in [("tag", Change::Constant(0)), ("ordered", Change::Constant(1))] {
+        let folder = tempfile::tempdir().unwrap();
+        let design = Top::FpCmp.design(StandardFormat::Binary32).unwrap();
+        let mutation = Mutation { module: "fp_cmp".into(), value: value.into(), change };
+        compile_model(folder.path(), runtime.path(), &mutate(&design, &mutation).unwrap());
+        let differing = differing(folder.path(), Top::FpCmp, &flatten(&design).unwrap(), 10_000);
+        assert!(
+            differing.ends_with(" of 10000 vectors differ") && !differing.starts_with("0 "),
+            "{differing}"
+        );
     }
 }
 
-#[test]
-fn icarus_gives_goldens_outputs() {
-    icarus(&SMALL);
+/// Compiles the part of Verilator that all models share, which takes as long as most of them.
+fn compile_runtime(folder: &Path) {
+    let printed = run(folder, "verilator", &["--getenv", "VERILATOR_ROOT"]).unwrap();
+    let include = format!("{}/include", printed.trim());
+    for part in ["verilated", "verilated_threads"] {
+        let options = ["-O1", "-std=gnu++17", "-c", "-I.", "-I", &include, "-I"];
+        let vltstd = format!("{include}/vltstd");
+        let source = format!("{include}/{part}.cpp");
+        run(folder, "g++", &[&options[..], &[&vltstd, &source]].concat()).unwrap();
+    }
 }
 
-#[test]
-#[ignore = "minutes of Icarus; run by name"]
-fn icarus_gives_goldens_outputs_for_large_tops() {
-    icarus(&LARGE);
+/// Makes `folder/simulation` of the design and the harness.
+fn compile_model(folder: &Path, runtime: &Path, design: &Design) {
+    let top = &design.top().name;
+    std::fs::write(folder.join("unit.v"), text(design)).unwrap();
+    std::fs::write(folder.join("ports.h"), ports_header(design)).unwrap();
+    let options =
+        ["--cc", "-O3", "-Wno-fatal", "-Wno-lint", "--prefix", "Vunit", "--Mdir", ".", "--top-module", top];
+    run(folder, "verilator", &[&options[..], &["unit.v"]].concat()).unwrap();
+    let include =
+        run(folder, "verilator", &["--getenv", "VERILATOR_ROOT"]).unwrap().trim().to_owned() + "/include";
+    let vltstd = format!("{include}/vltstd");
+    let harness = concat!(env!("CARGO_MANIFEST_DIR"), "/verilator/main.cpp");
+    let mut arguments = [
+        "-O1",
+        "-std=gnu++17",
+        "-pthread",
+        "-I.",
+        "-I",
+        &include,
+        "-I",
+        &vltstd,
+        harness,
+        "-o",
+        "simulation",
+    ]
+    .map(str::to_owned)
+    .to_vec();
+    let files =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut sources: Vec<String> = files.filter(|name| name.ends_with(".cpp")).collect();
+    sources.sort();
+    arguments.extend(sources);
+    arguments
+        .extend(["verilated.o", "verilated_threads.o"].map(|part| runtime.join(part).display().to_string()));
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    run(folder, "g++", &arguments).unwrap();
 }
 
-#[test]
-#[ignore = "minutes of Verilator; run by name"]
-fn verilator_gives_goldens_outputs() {
-    verilator(&SMALL);
+/// What the harness has to know of the ports.
+fn ports_header(design: &Design) -> String {
+    let top = design.top();
+    let names = port_names(top, &mut Namespace::default());
+    let widths = top.inputs.iter().chain(top.outputs.iter().map(|(port, _)| port)).map(|port| port.width);
+    assert!(widths.max().unwrap() <= 32, "a port is one word of a vector");
+    let (inputs, outputs) = (&names.inputs, &names.outputs);
+    let mut text = format!(
+        "#include \"Vunit.h\"\n#define MODEL Vunit\n#define INPUTS {}\n#define OUTPUTS {}\n",
+        inputs.len(),
+        outputs.len()
+    );
+    text.push_str("static inline void write_inputs(MODEL& model, const uint32_t* in) {\n");
+    for (i, name) in inputs.iter().enumerate() {
+        let _ = writeln!(text, "    model.{name} = in[{i}];");
+    }
+    text.push_str("}\nstatic inline void read_outputs(MODEL& model, uint32_t* out) {\n");
+    for (i, name) in outputs.iter().enumerate() {
+        let _ = writeln!(text, "    out[{i}] = model.{name};");
+    }
+    text.push_str("}\n");
+    text
 }
 
-#[test]
-#[ignore = "an hour of Verilator; run by name"]
-fn verilator_gives_goldens_outputs_for_large_tops() {
-    verilator(&LARGE);
+/// Streams vectors to `folder/simulation` and returns the last line that it prints.
+fn differing(folder: &Path, top: Top, netlist: &Flat, vectors: u64) -> String {
+    let mut child =
+        Command::new(folder.join("simulation")).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut pipe = BufWriter::with_capacity(1 << 20, child.stdin.take().unwrap());
+    let format = StandardFormat::Binary32;
+    let mut model = Model::new(top, format, netlist);
+    let outputs = netlist.outputs.len();
+    for inputs in Stimulus::new(top, format, netlist, 1).take(vectors as usize) {
+        let mut expected = vec![0u32; outputs + outputs.div_ceil(32)];
+        for (claim, _) in model.due() {
+            expected[claim.output] = claim.value as u32;
+            expected[outputs + claim.output / 32] |= 1 << (claim.output % 32);
+        }
+        for word in inputs.iter().map(|&value| value as u32).chain(expected) {
+            pipe.write_all(&word.to_le_bytes()).unwrap();
+        }
+        model.clock(&inputs, |_| ());
+    }
+    drop(pipe.into_inner().unwrap());
+    let output = child.wait_with_output().unwrap();
+    let printed = String::from_utf8(output.stdout).unwrap();
+    printed.lines().last().unwrap_or_default().to_owned()
 }
 
 /// The testbench notices one wrong bit of one vector.

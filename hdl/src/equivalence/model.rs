@@ -1,6 +1,7 @@
 //! What the specification says of every top, as claims that fall due after the latency.
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 use super::cases::{BoxCase, NodeCase};
 use super::classes;
@@ -34,7 +35,7 @@ pub struct Model {
 }
 
 /// The claims in flight, the oldest first: as many as the latency in cycles.
-type Line = VecDeque<(Vec<Claim>, Option<Vec<u128>>)>;
+type Line = VecDeque<(Vec<Claim>, Option<Arc<[u128]>>)>;
 
 /// Whether a part exists with a routing.
 type HasMode = fn(u128) -> bool;
@@ -127,6 +128,7 @@ impl Model {
             return false;
         }
         let mut any = false;
+        let origin: Arc<[u128]> = inputs.into();
         for (function, line) in &mut self.functions {
             let exists = function.mode.is_none_or(|(position, has)| has(inputs[position]));
             let valid = exists && inputs[function.valid] == 1;
@@ -137,7 +139,7 @@ impl Model {
             }
             any |= valid;
             line.pop_front();
-            line.push_back((claims, Some(inputs.to_vec())));
+            line.push_back((claims, Some(Arc::clone(&origin))));
         }
         if !any {
             class("bubble");

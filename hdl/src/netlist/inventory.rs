@@ -152,6 +152,15 @@ fn common_latency(outputs: &BTreeMap<String, (u32, u32)>) -> Option<u32> {
 /// Fewest and most registers between inputs and each output; outputs that depend on no input are left out.
 /// `None` when a register depends on itself.
 fn latencies(flat: &Flat) -> Option<BTreeMap<String, (u32, u32)>> {
+    let nodes = register_depths(flat)?;
+    let outputs = flat.outputs.iter();
+    Some(outputs.filter_map(|(port, id)| Some((port.name.clone(), nodes[id.index()]?))).collect())
+}
+
+/// Fewest and most registers between the inputs and each node, by position in [`Flat::nodes`]; none for a node that
+/// depends on no input. `None` when a register depends on itself. Clock enables are no data.
+#[must_use]
+pub fn register_depths(flat: &Flat) -> Option<Vec<Option<(u32, u32)>>> {
     // A register may come before its data in position order, so this goes round until nothing changes; with more
     // rounds than registers there is feedback.
     let mut registers: Vec<Option<(u32, u32)>> = vec![None; flat.registers.len()];
@@ -168,10 +177,7 @@ fn latencies(flat: &Flat) -> Option<BTreeMap<String, (u32, u32)>> {
             .map(|register| nodes[register.data.index()].map(|(least, most)| (least + 1, most + 1)))
             .collect();
         if next == registers {
-            let outputs = flat.outputs.iter();
-            return Some(
-                outputs.filter_map(|(port, id)| Some((port.name.clone(), nodes[id.index()]?))).collect(),
-            );
+            return Some(nodes);
         }
         registers = next;
     }

@@ -1,9 +1,10 @@
-//! The proof that our Verilog is rust-hdl's: a yosys script that shows the two equivalent.
+//! The proof that our Verilog is rust-hdl's: a yosys script that brings both into the same form for ABC.
 //!
-//! Registers are the cut points. Our file keeps the instance and register names of the source, rust-hdl's has a
-//! module per register, so after flattening `mul.sum` here is `mul.sum.q` there; the script renames ours. Multiplier
-//! arrays, on which no solver succeeds, become black boxes on both sides: their operands are proved equal and their
-//! products assumed so, which is sound as the same kernel stands behind both.
+//! Both files become a sequential and-inverter graph with the same ports, whose registers start at zero, and ABC's `dsec`
+//! decides whether they give equal outputs for every sequence of inputs. Multiplier arrays, on which no solver
+//! succeeds, become black boxes on both sides: their operands are outputs of the graphs, and so proved equal, and their
+//! products are inputs, any word at all. That is sound as the same kernel stands behind both. Other products are mapped by
+//! [`MULTIPLICATION`], because yosys' own choice of adder tree depends on names, and ABC would meet two different trees.
 
 use std::fmt::Write;
 
@@ -12,6 +13,9 @@ use rust_hdl_core::prelude::{Block, ModuleDefines};
 use super::identifier::{CLOCK, Namespace, plain, port_names};
 use crate::netlist::{Design, Module};
 
+/// How both sides multiply: the file `multiply.v` that [`equivalence_script`] reads.
+pub const MULTIPLICATION: &str = include_str!("multiply.v");
+
 /// The Verilog that rust-hdl itself writes for a module: one module per instance, the top called `name`.
 pub fn reference_verilog(module: &dyn Block, name: &str) -> String {
     let mut defines = ModuleDefines::default();
@@ -19,26 +23,21 @@ pub fn reference_verilog(module: &dyn Block, name: &str) -> String {
     defines.defines()
 }
 
-/// A yosys script that fails unless `ours`, the file of [`super::text`], equals `reference`, the file of
-/// [`reference_verilog`]. Instances of the kinds in `black_boxes` are matched by name and not looked into.
+/// A yosys script that writes `gold.aig` from `reference`, the file of [`reference_verilog`], and `gate.aig` from `ours`,
+/// the file of [`super::text`]. Instances of the kinds in `black_boxes` are matched by name and not looked into.
 #[must_use]
 pub fn equivalence_script(design: &Design, ours: &str, reference: &str, black_boxes: &[&str]) -> String {
     let top = design.top();
     let name = &top.name;
-    let mut walk = Walk { design, black_boxes, registers: Vec::new(), boxes: Vec::new() };
-    walk.module(top, "", "", name);
-    let Walk { registers, boxes, .. } = walk;
+    let mut boxes = Vec::new();
+    find_boxes(design, top, black_boxes, ["", ""], name, &mut boxes);
     let mut text = String::new();
 
     let _ = writeln!(text, "read_verilog {reference}");
     for instance in &boxes {
         let _ = writeln!(text, "blackbox {}", instance.reference_module);
     }
-    let _ = writeln!(text, "{}", flatten(name));
-    for instance in &boxes {
-        let _ = writeln!(text, "expose -evert {name}/c:{}", instance.reference_path);
-    }
-    let _ = writeln!(text, "cd {name}");
+    flatten(&mut text, name, boxes.iter().map(|instance| &instance.reference_path));
     let mut namespace = Namespace::default();
     let ports = port_names(top, &mut namespace);
     let sources = top.inputs.iter().chain(top.outputs.iter().map(|(port, _)| port));
@@ -47,44 +46,39 @@ pub fn equivalence_script(design: &Design, ours: &str, reference: &str, black_bo
     for (theirs, ours) in clock.chain(names.map(|(port, ours)| (port.name.as_str(), ours.as_str()))) {
         rename(&mut text, theirs, ours);
     }
-    let _ = writeln!(text, "cd\nrename {name} gold\ndesign -stash gold\n");
+    text.push_str(&write_graph("gold.aig"));
 
-    let _ = writeln!(text, "read_verilog {ours}");
+    let _ = writeln!(text, "\ndesign -reset\nread_verilog {ours}");
     for module in design.modules.iter().filter(|module| black_boxes.contains(&module.kind.as_str())) {
         let _ = writeln!(text, "blackbox {}", module.name);
     }
-    let _ = writeln!(text, "{}", flatten(name));
-    for instance in &boxes {
-        let _ = writeln!(text, "expose -evert {name}/c:{}", instance.path);
-    }
-    let _ = writeln!(text, "cd {name}");
-    for (ours, theirs) in &registers {
-        rename(&mut text, ours, theirs);
-    }
+    flatten(&mut text, name, boxes.iter().map(|instance| &instance.path));
     for instance in &boxes {
         for (ours, theirs) in &instance.ports {
             let (path, reference_path) = (&instance.path, &instance.reference_path);
             rename(&mut text, &format!("{path}.{ours}"), &format!("{reference_path}.{theirs}"));
         }
     }
-    let _ = write!(
-        text,
-        "cd\nrename {name} gate\ndesign -stash gate\n\n\
-         design -copy-from gold -as gold gold\n\
-         design -copy-from gate -as gate gate\n\
-         equiv_make gold gate equiv\n\
-         hierarchy -top equiv\n\
-         opt -share_all\n\
-         equiv_struct\n\
-         equiv_simple -undef\n\
-         equiv_induct -undef\n\
-         equiv_status -assert\n"
-    );
+    text.push_str(&write_graph("gate.aig"));
     text
 }
 
-fn flatten(top: &str) -> String {
-    format!("hierarchy -top {top}\nproc\nflatten\nopt -full\nopt_clean")
+/// Dissolves the hierarchy, turns the ports of black boxes into ports of the top, and goes into it.
+fn flatten<'b>(text: &mut String, top: &str, boxes: impl Iterator<Item = &'b String>) {
+    let boxes: Vec<String> = boxes.map(|path| format!(" {top}/c:{path}")).collect();
+    let _ = writeln!(text, "hierarchy -top {top}\nproc\nflatten\nopt_expr -mux_undef -undriven -fine");
+    if !boxes.is_empty() {
+        let _ = writeln!(text, "expose -evert{}", boxes.concat());
+    }
+    let _ = writeln!(text, "cd {top}");
+}
+
+/// Leaves the top and writes it as a graph.
+fn write_graph(file: &str) -> String {
+    format!(
+        "cd\nwreduce\nopt_merge\nopt_clean\ntechmap -map multiply.v\ntechmap\nsimplemap\naigmap\n\
+         write_aiger -zinit -symbols {file}\n"
+    )
 }
 
 fn rename(text: &mut String, from: &str, to: &str) {
@@ -102,37 +96,34 @@ struct BlackBox {
     ports: Vec<(String, String)>,
 }
 
-/// Collects what has different names in the two files.
-struct Walk<'d> {
-    design: &'d Design,
-    black_boxes: &'d [&'d str],
-    registers: Vec<(String, String)>,
-    boxes: Vec<BlackBox>,
-}
-
-impl Walk<'_> {
-    fn module(&mut self, module: &Module, ours: &str, theirs: &str, reference_module: &str) {
-        let mut namespace = Namespace::default();
-        port_names(module, &mut namespace);
-        for register in &module.registers {
-            let name = namespace.claim(&plain(&register.name));
-            self.registers.push((format!("{ours}{name}"), format!("{theirs}{}.q", register.name)));
+/// Collects the black boxes beneath `module`, whose instance has `paths` here and in the reference, each with its dot.
+fn find_boxes(
+    design: &Design,
+    module: &Module,
+    kinds: &[&str],
+    [ours, theirs]: [&str; 2],
+    reference_module: &str,
+    boxes: &mut Vec<BlackBox>,
+) {
+    let mut namespace = Namespace::default();
+    port_names(module, &mut namespace);
+    for register in &module.registers {
+        namespace.claim(&plain(&register.name));
+    }
+    for instance in &module.instances {
+        let child = design.module(instance.module);
+        let path = format!("{ours}{}", namespace.claim(&plain(&instance.name)));
+        let reference_path = format!("{theirs}{}", instance.name);
+        let reference_module = format!("{reference_module}${}", instance.name);
+        if !kinds.contains(&child.kind.as_str()) {
+            let paths = [&*format!("{path}."), &*format!("{reference_path}.")];
+            find_boxes(design, child, kinds, paths, &reference_module, boxes);
+            continue;
         }
-        for instance in &module.instances {
-            let name = namespace.claim(&plain(&instance.name));
-            let child = self.design.module(instance.module);
-            let path = format!("{ours}{name}");
-            let reference_path = format!("{theirs}{}", instance.name);
-            let reference_module = format!("{reference_module}${}", instance.name);
-            if !self.black_boxes.contains(&child.kind.as_str()) {
-                self.module(child, &format!("{path}."), &format!("{reference_path}."), &reference_module);
-                continue;
-            }
-            let names = port_names(child, &mut Namespace::default());
-            let sources = child.inputs.iter().chain(child.outputs.iter().map(|(port, _)| port));
-            let ours = names.inputs.into_iter().chain(names.outputs);
-            let ports = ours.zip(sources.map(|port| port.name.clone())).collect();
-            self.boxes.push(BlackBox { path, reference_path, reference_module, ports });
-        }
+        let names = port_names(child, &mut Namespace::default());
+        let sources = child.inputs.iter().chain(child.outputs.iter().map(|(port, _)| port));
+        let ours = names.inputs.into_iter().chain(names.outputs);
+        let ports = ours.zip(sources.map(|port| port.name.clone())).collect();
+        boxes.push(BlackBox { path, reference_path, reference_module, ports });
     }
 }

@@ -31,8 +31,9 @@ pub fn readme(design: &Design, inventory: &Inventory, description: &str) -> Stri
         Some(latency) => {
             let _ = writeln!(
                 text,
-                "Latency {latency} cycles, one operation per cycle. Registers start at their initial value; \
+                "Latency {latency} cycle{}, one operation per cycle. Registers start at their initial value; \
                  there is no reset.\n\n{}",
+                if latency == 1 { "" } else { "s" },
                 timing_diagram(latency)
             );
         }

@@ -5,7 +5,8 @@ use crate::netlist::Design;
 
 /// A yosys script that reads, checks and synthesises the design, printing statistics before and after.
 ///
-/// `-noshare` leaves out a pass that runs out of memory on floating-point adders in yosys 0.23.
+/// `-noshare` leaves out a pass that runs out of memory on floating-point adders in yosys 0.23. The hierarchy is kept, so
+/// that each module is mapped once; the statistics end with the sum over the hierarchy.
 #[must_use]
 pub fn yosys(design: &Design) -> String {
     let top = &design.top().name;
@@ -15,7 +16,7 @@ pub fn yosys(design: &Design) -> String {
          hierarchy -check -top {top}\n\
          check -assert\n\
          tee -o {top}_hierarchy.txt stat\n\
-         synth -noshare -flatten -top {top}\n\
+         synth -noshare -top {top}\n\
          check -assert\n\
          tee -o {top}_cells.txt stat\n"
     )

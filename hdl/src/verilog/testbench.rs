@@ -78,9 +78,7 @@ pub fn testbench(design: &Design, count: u64) -> String {
     let _ = writeln!(text, "    reg [{}:0] vectors [0:CAPACITY-1];", total - 1);
     let _ = writeln!(text, "    reg [{}:0] vector;", total - 1);
     text.push_str("    reg [8*1024-1:0] path;\n    integer count, index, mismatches;\n");
-    if top.clock.is_some() {
-        let _ = writeln!(text, "    reg {CLOCK} = 1'b0;");
-    }
+    let _ = writeln!(text, "    reg {CLOCK};");
     let mut offset = total;
     let mut slices = Vec::new();
     for (_, width) in inputs.iter().chain(&outputs) {
@@ -114,33 +112,37 @@ pub fn testbench(design: &Design, count: u64) -> String {
         if (!$value$plusargs("count=%d", count)) count = CAPACITY;
         $readmemh(path, vectors, 0, count - 1);
         mismatches = 0;
-        for (index = 0; index < count; index = index + 1) begin
-            vector = vectors[index];
-            #4;
-            if (^vector === 1'bx) begin
-                $display("FAIL: vector %0d is missing", index);
-                $finish;
-            end
-            if ({differs}) begin
-                mismatches = mismatches + 1;
-                if (mismatches <= 10)
-                    $display("vector %0d: {formats}", index,
-                        {values});
-            end
-{edge}        end
-        if (mismatches == 0) $display("PASS: {name}, %0d vectors", count);
-        else $display("FAIL: {name}, %0d of %0d vectors differ", mismatches, count);
-        $finish;
+        index = 0;
+        vector = vectors[0];
+        {CLOCK} = 1'b0;
+    end
+
+    always #5 {CLOCK} = ~{CLOCK};
+
+    always @(posedge {CLOCK}) begin
+        if (^vector === 1'bx) begin
+            $display("FAIL: vector %0d is missing", index);
+            $finish;
+        end
+        if ({differs}) begin
+            mismatches = mismatches + 1;
+            if (mismatches <= 10)
+                $display("vector %0d: {formats}", index,
+                    {values});
+        end
+        index = index + 1;
+        if (index < count) vector <= vectors[index];
+        else begin
+            if (mismatches == 0) $display("PASS: {name}, %0d vectors", count);
+            else $display("FAIL: {name}, %0d of %0d vectors differ", mismatches, count);
+            $finish;
+        end
     end
 endmodule
 "#,
         differs = differs.join(" || "),
         formats = formats.join(", "),
         values = values.join(", "),
-        edge = match top.clock {
-            Some(_) => "            #1 clk_i = 1'b1;\n            #5 clk_i = 1'b0;\n",
-            None => "",
-        },
     );
     text
 }

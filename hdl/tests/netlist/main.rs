@@ -5,6 +5,7 @@ mod errors;
 mod guarding;
 mod modules;
 mod mutating;
+mod packages;
 mod random;
 mod support;
 #[path = "../../../tests/src/tools.rs"]

@@ -2,13 +2,23 @@
 
 use std::path::Path;
 
-use crate::tools::{available, run};
+use crate::tools::{available, in_parallel, run};
 use crate::verilog::{lint_and_simulate, prove_equivalent, synthesise};
 use hdl::catalogue::{MULTIPLIER_KINDS, StandardFormat, Top};
 use hdl::netlist::{guard, inventory};
 
-/// Tops that yosys synthesises in seconds.
-const SMALL: [Top; 5] = [Top::IntAdd, Top::FpAdd, Top::FpMul, Top::FpMinMax, Top::FpCmp];
+/// What is proved equal to rust-hdl's export, the largest first: every unit and both pipelines.
+const PROVED: [Top; 9] = [
+    Top::RayBox,
+    Top::RayBoxLean,
+    Top::DualSplit,
+    Top::DualSplitLean,
+    Top::FpMul,
+    Top::FpAdd,
+    Top::FpMinMax,
+    Top::FpCmp,
+    Top::IntAdd,
+];
 
 #[test]
 fn every_kernel_of_every_top_passes_the_guard() {
@@ -57,41 +67,25 @@ fn every_top_is_lint_clean_and_simulates() {
     }
 }
 
+/// yosys maps every top to gates; the numbers of cells are in docs/synthesis.md.
 #[test]
-fn the_units_synthesise() {
-    for top in SMALL {
-        synthesise(&top.design(StandardFormat::Binary32).unwrap());
-    }
-}
-
-fn prove(top: Top, format: StandardFormat) {
-    let design = top.design(format).unwrap();
-    let module = top.module(format);
-    prove_equivalent(module.as_ref(), &design, MULTIPLIER_KINDS);
-}
-
-#[test]
-fn the_units_equal_rust_hdls_export() {
-    for top in SMALL {
-        prove(top, StandardFormat::Binary32);
-    }
+fn every_top_synthesises() {
+    in_parallel(Top::ALL.iter().rev(), |&top| {
+        let Some(statistics) = synthesise(&top.design(StandardFormat::Binary32).unwrap()) else { return };
+        let cells = statistics.rsplit_once("Number of cells:").expect("the sum comes last").1;
+        let cells: u64 = cells.split_whitespace().next().unwrap().parse().unwrap();
+        println!("{top}: {cells} cells");
+        assert!(cells > 100, "{top}: {statistics}");
+    });
 }
 
 #[test]
-#[ignore = "minutes of yosys; run by name"]
-fn the_pipelines_equal_rust_hdls_export() {
-    for top in [Top::DualSplit, Top::DualSplitLean, Top::RayBox, Top::RayBoxLean] {
-        prove(top, StandardFormat::Binary32);
+fn units_and_pipelines_equal_rust_hdls_export() {
+    in_parallel(PROVED, |top| {
+        let format = StandardFormat::Binary32;
+        prove_equivalent(top.module(format).as_ref(), &top.design(format).unwrap(), MULTIPLIER_KINDS);
         println!("{top}: proved");
-    }
-}
-
-#[test]
-#[ignore = "minutes of yosys; run by name"]
-fn the_pipelines_synthesise() {
-    for top in [Top::DualSplit, Top::RayBox] {
-        synthesise(&top.design(StandardFormat::Binary32).unwrap());
-    }
+    });
 }
 
 /// The committed Verilog is what the code generates; `DUALSPLIT_BLESS=1` writes it anew.

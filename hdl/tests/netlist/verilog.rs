@@ -2,7 +2,7 @@
 
 use crate::modules::*;
 use crate::support::{Driven, stimulus};
-use crate::tools::{available, run};
+use crate::tools::{available, prove, provers_available, run};
 use hdl::netlist::{Change, Design, Mutation, elaborate, mutate};
 use hdl::verilog::{PackageOptions, cross_check, package};
 use rust_hdl_core::prelude::Block;
@@ -55,63 +55,96 @@ pub fn lint_and_simulate(design: &Design, vectors: u64) {
     }
 }
 
-/// The package's yosys script runs through, with its checks.
-pub fn synthesise(design: &Design) {
-    if available("yosys") {
-        let folder = tempfile::tempdir().unwrap();
-        write_package(design, 1, folder.path());
-        run(folder.path(), "yosys", &["-q", "-s", &format!("{}.ys", design.top().name)]).unwrap();
+/// The package's yosys script runs through, with its checks; returns its statistics.
+pub fn synthesise(design: &Design) -> Option<String> {
+    if !available("yosys") {
+        return None;
     }
+    let folder = tempfile::tempdir().unwrap();
+    let name = &design.top().name;
+    write_package(design, 1, folder.path());
+    run(folder.path(), "yosys", &["-q", "-s", &format!("{name}.ys")]).unwrap();
+    Some(std::fs::read_to_string(folder.path().join(format!("{name}_cells.txt"))).unwrap())
 }
 
-/// yosys proves our Verilog equivalent to rust-hdl's.
+/// yosys and ABC prove our Verilog equivalent to rust-hdl's.
 pub fn prove_equivalent(module: &dyn Block, design: &Design, black_boxes: &[&str]) {
-    if available("yosys") {
+    if provers_available() {
         let result = equivalence(&hdl::verilog::text(design), module, design, black_boxes);
         result.unwrap_or_else(|error| panic!("{}: {error}", design.top().name));
     }
 }
 
-fn equivalence(ours: &str, module: &dyn Block, design: &Design, boxes: &[&str]) -> Result<String, String> {
+fn equivalence(ours: &str, module: &dyn Block, design: &Design, boxes: &[&str]) -> Result<(), String> {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("ours.v", ours);
+    write("multiply.v", cross_check::MULTIPLICATION);
     write("reference.v", &cross_check::reference_verilog(module, &design.top().name));
     write("equivalence.ys", &cross_check::equivalence_script(design, "ours.v", "reference.v", boxes));
-    run(folder.path(), "yosys", &["-q", "-s", "equivalence.ys"])
+    let is_sequential = design.modules.iter().any(|module| !module.registers.is_empty());
+    prove(folder.path(), "equivalence.ys", if is_sequential { "dsec" } else { "cec" })
 }
 
 /// A proof that cannot fail proves nothing: a fault in our Verilog is found.
 #[test]
 fn the_proof_finds_faults() {
-    if !available("yosys") {
+    if !provers_available() {
         return;
     }
     let (module, design) = elaborated::<AddSub>("add_sub");
-    for change in [Change::Increment, Change::StuckBit { bit: 9, value: false }] {
-        let mutation = Mutation { module: "add_sub".into(), value: "operand".into(), change };
+    let changes = [
+        ("operand", Change::Increment),
+        ("operand", Change::StuckBit { bit: 9, value: false }),
+        ("r_tag", Change::Delay),
+        ("r_tag", Change::Bypass),
+    ];
+    for (value, change) in changes {
+        let mutation = Mutation { module: "add_sub".into(), value: value.into(), change };
         let mutant = mutate(&design, &mutation).unwrap();
         let result = equivalence(&hdl::verilog::text(&mutant), &module, &design, &[]);
         let error = result.expect_err("a mutant is no equivalent");
-        assert!(error.contains("unproven $equiv"), "{error}");
+        assert!(error.contains("Networks are NOT EQUIVALENT"), "{error}");
     }
 }
 
-/// A testbench that cannot fail tests nothing: a fault in our Verilog is found.
+/// A testbench that cannot fail tests nothing: a fault in our Verilog is found, by either simulator, as are vectors
+/// that end too early.
 #[test]
 fn the_testbench_finds_faults() {
-    if !available("iverilog") {
-        return;
-    }
     let (_, design) = elaborated::<AddSub>("add_sub");
     let folder = tempfile::tempdir().unwrap();
-    write_package(&design, VECTORS, folder.path());
+    let folder = folder.path();
+    write_package(&design, VECTORS, folder);
+    let source = folder.join("add_sub.v");
     let mutation = Mutation { module: "add_sub".into(), value: "r_tag".into(), change: Change::Delay };
     let mutant = mutate(&design, &mutation).unwrap();
-    std::fs::write(folder.path().join("add_sub.v"), hdl::verilog::text(&mutant)).unwrap();
-    run(folder.path(), "iverilog", &["-g2005", "-o", "simulation", "add_sub_tb.v", "add_sub.v"]).unwrap();
-    let printed = run(folder.path(), "vvp", &["-n", "simulation"]).unwrap();
-    assert!(printed.contains("FAIL: add_sub, "), "{printed}");
+    let simulate: [(&str, &[&str], &str, &[&str]); 2] = [
+        ("iverilog", &["-g2005", "-o", "simulation"], "vvp", &["-n", "simulation"]),
+        (
+            "verilator",
+            &["--binary", "--timing", "-Wno-lint", "--top-module", "add_sub_tb"],
+            "obj_dir/Vadd_sub_tb",
+            &[],
+        ),
+    ];
+    for (compiler, options, simulator, arguments) in simulate {
+        if !available(compiler) {
+            continue;
+        }
+        for (design, expected) in [(&design, "PASS: add_sub, 2000"), (&mutant, "FAIL: add_sub, ")] {
+            std::fs::write(&source, hdl::verilog::text(design)).unwrap();
+            let options = [options, &["add_sub_tb.v", "add_sub.v"]].concat();
+            run(folder, compiler, &options).unwrap();
+            let printed = run(folder, simulator, arguments).unwrap();
+            assert!(printed.contains(expected), "{compiler}: {printed}");
+            if compiler == "iverilog" {
+                let longer = [arguments, &["+count=2001"]].concat();
+                let printed = run(folder, simulator, &longer).unwrap();
+                assert!(!printed.contains("PASS"), "{printed}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -10,7 +10,7 @@ use crate::console::{Report, progress, table};
 use anyhow::Context;
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::equivalence;
-use hdl::netlist::flatten;
+use hdl::netlist::{Design, flatten, mutate, mutations};
 use serde::Serialize;
 use sim::logic::check::volume::volume;
 use std::collections::BTreeMap;
@@ -23,6 +23,9 @@ const REFERENCE_CYCLES: u64 = 10_000;
 #[derive(Serialize)]
 struct Document {
     seed: u64,
+    /// The fault that was put into the unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fault: Option<String>,
     units: Vec<UnitRow>,
 }
 
@@ -46,12 +49,46 @@ pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
         return exhaustive::run(exhaustive, args.state.as_deref());
     }
     let tops = args.unit.map_or_else(|| Top::ALL.to_vec(), |top| vec![top]);
-    let units = tops.into_iter().map(|top| row(top, args.vectors, global.seed));
-    let document = Document { seed: global.seed, units: units.collect::<anyhow::Result<_>>()? };
+    let mut document = Document { seed: global.seed, fault: None, units: Vec::new() };
+    for top in tops {
+        document.units.push(match args.mutate {
+            Some(number) => {
+                let (mutant, fault) = mutant(&top.design(StandardFormat::Binary32)?, number)?;
+                document.fault = Some(fault);
+                mutant_row(top, &mutant, args.vectors, global.seed)?
+            }
+            None => row(top, args.vectors, global.seed)?,
+        });
+    }
     let text = text(&document);
     let mut report = Report::new(&document, text);
     report.difference = document.units.iter().any(|unit| unit.mismatches > 0);
     Ok(report)
+}
+
+/// The design with its fault `number`, and what the fault is.
+fn mutant(design: &Design, number: usize) -> anyhow::Result<(Design, String)> {
+    let faults = mutations(design);
+    let fault = faults.get(number).with_context(|| {
+        let name = &design.top().name;
+        format!("--mutate {number}: {name} has {} faults to try, counted from 0", faults.len())
+    })?;
+    Ok((mutate(design, fault)?, fault.to_string()))
+}
+
+/// A netlist that nothing is compiled for: the reference simulation alone.
+fn mutant_row(top: Top, mutant: &Design, cycles: u64, seed: u64) -> anyhow::Result<UnitRow> {
+    let start = Instant::now();
+    let outcome = equivalence::check(&flatten(mutant)?, top, StandardFormat::Binary32, cycles, seed);
+    Ok(UnitRow {
+        name: top.name(),
+        vectors: outcome.vectors,
+        cycles: outcome.cycles,
+        mismatches: outcome.mismatches,
+        vectors_per_second: outcome.vectors as f64 / start.elapsed().as_secs_f64(),
+        classes: outcome.classes,
+        first_mismatch: outcome.first.map(|first| first.to_string()),
+    })
 }
 
 fn row(top: Top, vectors: u64, seed: u64) -> anyhow::Result<UnitRow> {
@@ -87,6 +124,9 @@ fn text(document: &Document) -> String {
         ]
     });
     let mut text = table(["unit", "vectors", "classes", "mismatches", "vectors/s"], rows);
+    if let Some(fault) = &document.fault {
+        let _ = write!(text, "\nfault put in: {fault}\n");
+    }
     for unit in &document.units {
         let classes: Vec<String> =
             unit.classes.iter().map(|(class, count)| format!("{class} {count}")).collect();

@@ -1,0 +1,10 @@
+// Registers as wires: what a pipeline computes, without when.
+(* techmap_celltype = "$dff" *)
+module transparent (CLK, D, Q);
+    parameter WIDTH = 1;
+    parameter CLK_POLARITY = 1;
+    input CLK;
+    input [WIDTH-1:0] D;
+    output [WIDTH-1:0] Q;
+    assign Q = D;
+endmodule
