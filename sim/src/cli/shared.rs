@@ -1,0 +1,84 @@
+//! What several commands take: a scene, a view, a structure, a machine.
+
+use super::values::{mode, quality, size, structure, vector};
+use clap::Args;
+use golden::Mode;
+use golden::build::Quality;
+use golden::structure::StructureKind;
+use std::path::PathBuf;
+
+/// Which geometry.
+#[derive(Args, Clone, Debug)]
+pub struct SceneArgs {
+    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    pub scene: String,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+}
+
+#[derive(Args, Clone, Copy, Debug)]
+pub struct DetailArgs {
+    /// Fraction of a built-in scene's full number of triangles, above 0 and at most 1.
+    #[arg(long, default_value_t = 0.1, value_name = "FRACTION")]
+    pub detail: f64,
+}
+
+#[derive(Args, Clone, Copy, Debug)]
+pub struct QualityArgs {
+    /// Build time against tree quality: fast, medium or high.
+    #[arg(long, default_value = "high", value_name = "PRESET", value_parser = quality(), hide_possible_values = true)]
+    pub quality: Quality,
+}
+
+#[derive(Args, Clone, Copy, Debug)]
+pub struct ModeArgs {
+    /// Rounding of plane distances: robust never loses a hit of the triangle test, fast may at the edges of boxes.
+    #[arg(long, default_value = "robust", value_parser = mode())]
+    pub mode: Mode,
+}
+
+/// Where from and under which light; by default the scene's own, for a file a view of all of it.
+#[derive(Args, Clone, Debug)]
+pub struct ViewArgs {
+    /// Position of the camera.
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub eye: Option<[f32; 3]>,
+    /// Point in the centre of the image.
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub target: Option<[f32; 3]>,
+    /// Direction that appears upwards.
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub up: Option<[f32; 3]>,
+    /// Vertical field of view in degrees.
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    pub fov: Option<f32>,
+    /// Position of the point light, whose brightness is then adapted to its distance from the target.
+    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
+    pub light: Option<[f32; 3]>,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "512x512", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+}
+
+/// The structure that rays are traced through: built, or loaded from a file.
+#[derive(Args, Clone, Debug)]
+pub struct StructureArgs {
+    /// The structure that rays are traced through; all give the same hits.
+    #[arg(long, default_value = "dst", value_parser = structure())]
+    pub structure: StructureKind,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Load the structure from this file, which `dualsplit tree SCENE --save FILE` has written, instead of building it.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["structure", "quality"])]
+    pub tree: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct MachineArgs {
+    /// The machine: a preset (trax or simtrax-reference) or a TOML file.
+    #[arg(long, default_value = "trax", value_name = "MACHINE")]
+    pub machine: String,
+    /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub settings: Vec<String>,
+}
