@@ -6,6 +6,7 @@ use std::path::Path;
 
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::verilog::{PackageOptions, package, write_files};
+use scenes::split_mix;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -26,12 +27,6 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// 128 random bits; every input takes as many as it has.
 fn random(cycle: u64, input: u64) -> u128 {
-    let mut state = cycle.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ input.wrapping_mul(0xd134_2543_de82_ef95);
-    let mut next = || {
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    };
-    u128::from(next()) << 64 | u128::from(next())
+    let mut state = split_mix::hash(cycle) ^ input;
+    u128::from(split_mix::next(&mut state)) << 64 | u128::from(split_mix::next(&mut state))
 }

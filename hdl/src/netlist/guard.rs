@@ -23,6 +23,7 @@ use super::lower::at_module;
 use super::probe::{self, Scope};
 use super::signals::{Destination, Role, Signals};
 use super::verilog_semantics::FIRST_UNKNOWN;
+use scenes::split_mix::hash;
 
 /// Stimuli for each kernel whose two readings are not the same graph.
 const VECTORS: u64 = 4096;
@@ -184,9 +185,9 @@ impl Stimulus {
             Op::Instance { instance, output } => (2 << 60) | u64::from(instance) << 24 | u64::from(output),
             _ => 0,
         };
-        let random = mix(self.vector ^ mix(source));
-        let shared = u128::from(mix(self.vector.wrapping_mul(3))) << 64 | u128::from(mix(self.vector));
-        let wide = u128::from(mix(random)) << 64 | u128::from(mix(random ^ 1));
+        let random = hash(self.vector ^ hash(source));
+        let shared = u128::from(hash(self.vector.wrapping_mul(3))) << 64 | u128::from(hash(self.vector));
+        let wide = u128::from(hash(random)) << 64 | u128::from(hash(random ^ 1));
         let value = match random % 16 {
             0 => 0,
             1 => mask(width),
@@ -198,12 +199,4 @@ impl Stimulus {
         };
         value & mask(width)
     }
-}
-
-/// The finaliser of splitmix64 (Steele, Lea, Flood 2014).
-fn mix(seed: u64) -> u64 {
-    let z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }

@@ -1,6 +1,6 @@
 //! Names in the emitted Verilog.
 //!
-//! Ports end in `_i` or `_o`, the clock is `clk_i`, array positions and interface fields are joined by `_`.
+//! Ports end in `_i` or `_o`, the clock is `clk_i`, array positions and interface fields are joined by `_` before that.
 
 use std::collections::BTreeSet;
 
@@ -15,9 +15,11 @@ pub fn plain(name: &str) -> String {
     name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect()
 }
 
+/// The name with `suffix` once, at its end: `hit_o$3` is `hit_3_o`.
 fn with_suffix(name: &str, suffix: &str) -> String {
-    let plain = plain(name);
-    if plain.ends_with(suffix) { plain } else { format!("{plain}{suffix}") }
+    let (stem, position) = name.split_at(name.find('$').unwrap_or(name.len()));
+    let stem = stem.strip_suffix(suffix).unwrap_or(stem);
+    plain(&format!("{stem}{position}{suffix}"))
 }
 
 /// Unique names of one module.
@@ -71,6 +73,8 @@ mod tests {
         assert_eq!(namespace.claim("a"), "a_3");
         assert_eq!(namespace.claim("wire"), "wire_2");
         assert_eq!(with_suffix("lo$0", "_i"), "lo_0_i");
+        assert_eq!(with_suffix("hit_o$3", "_o"), "hit_3_o");
+        assert_eq!(with_suffix("hit_o$3", "_i"), "hit_o_3_i");
         assert_eq!(with_suffix("en_i", "_i"), "en_i");
     }
 }

@@ -8,6 +8,7 @@ pub mod cross_check;
 mod emit;
 mod expression;
 mod identifier;
+mod meaning;
 mod readme;
 mod scripts;
 pub mod testbench;

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::identifier::{CLOCK, Namespace, port_names};
+use super::meaning::meaning;
 use crate::netlist::{Design, Inventory, SignalType};
 
 /// A Markdown page for the design's top.
@@ -20,10 +21,11 @@ pub fn readme(design: &Design, inventory: &Inventory, description: &str) -> Stri
         let _ = writeln!(text, "| `{CLOCK}` | in | 1 | clock, rising edge; there is no reset |");
     }
     for (port, name) in top.inputs.iter().zip(&ports.inputs) {
-        let _ = writeln!(text, "| `{name}` | in | {} | {} |", port.width, meaning(&port.signal_type));
+        let _ = writeln!(text, "| `{name}` | in | {} | {} |", port.width, described(name, &port.signal_type));
     }
     for ((port, _), name) in top.outputs.iter().zip(&ports.outputs) {
-        let _ = writeln!(text, "| `{name}` | out | {} | {} |", port.width, meaning(&port.signal_type));
+        let _ =
+            writeln!(text, "| `{name}` | out | {} | {} |", port.width, described(name, &port.signal_type));
     }
     text.push_str("\n## Timing\n\n");
     match inventory.latency_cycles {
@@ -63,9 +65,10 @@ pub fn readme(design: &Design, inventory: &Inventory, description: &str) -> Stri
     text
 }
 
-fn meaning(signal_type: &SignalType) -> String {
+/// What a port means, and how its bits are read.
+fn described(name: &str, signal_type: &SignalType) -> String {
     match signal_type {
-        SignalType::Bits => String::new(),
+        SignalType::Bits => meaning(name).unwrap_or_default(),
         SignalType::Signed => "two's complement".to_owned(),
         SignalType::Enum(labels) => {
             let short = labels.iter().map(|label| label.rsplit("::").next().unwrap_or(label));

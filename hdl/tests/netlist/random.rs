@@ -1,12 +1,13 @@
 //! Random word graphs: simplification keeps values, and the Verilog computes what the interpreter computes.
 
-use crate::support::{mix, stimulus};
+use crate::support::stimulus;
 use crate::tools::{available, run};
 use hdl::netlist::{
     BinaryOp, Design, Graph, Module, Node, NodeId, Op, Port, Register, SignalType, UnaryOp, evaluate,
 };
 use hdl::verilog::{PackageOptions, package};
 use proptest::prelude::*;
+use scenes::split_mix::hash;
 
 const WIDTHS: [u32; 14] = [1, 1, 2, 3, 7, 8, 9, 16, 31, 32, 33, 64, 65, 128];
 const INPUTS: u32 = 6;
@@ -17,12 +18,12 @@ struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self, sides: usize) -> usize {
-        self.0 = mix(self.0);
+        self.0 = hash(self.0);
         (self.0 >> 32) as usize % sides
     }
 
     fn value(&mut self) -> u128 {
-        let (high, low) = (mix(self.0 ^ 1), mix(self.0 ^ 2));
+        let (high, low) = (hash(self.0 ^ 1), hash(self.0 ^ 2));
         self.roll(2);
         [0, 1, u128::MAX, u128::from(high) << 64 | u128::from(low)][self.roll(4)]
     }

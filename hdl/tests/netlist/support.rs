@@ -2,6 +2,7 @@
 
 use hdl::netlist::{Evaluator, elaborate, flatten, mask};
 use rust_hdl_core::prelude::*;
+use scenes::split_mix::hash;
 
 /// A port value as an integer.
 pub trait Value: Synth {
@@ -63,18 +64,10 @@ macro_rules! driven {
 }
 pub(crate) use driven;
 
-/// The finaliser of splitmix64.
-pub fn mix(seed: u64) -> u64 {
-    let z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
 /// Value of an input of `width` bits in cycle `cycle`: corners in a quarter of the cycles.
 pub fn stimulus(cycle: u64, input: usize, width: u32) -> u128 {
-    let random = mix(cycle ^ mix(input as u64 + 1));
-    let wide = u128::from(mix(random)) << 64 | u128::from(mix(!random));
+    let random = hash(cycle ^ hash(input as u64 + 1));
+    let wide = u128::from(hash(random)) << 64 | u128::from(hash(!random));
     let value = match random % 16 {
         0 => 0,
         1 => mask(width),

@@ -11,7 +11,7 @@ use golden::traverse::brute_force;
 use golden::triangle::Triangle;
 use golden::{Hit, Mode, Ray};
 use rayon::prelude::*;
-use scenes::Mesh;
+use scenes::{Mesh, split_mix};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -265,10 +265,7 @@ pub fn aimed_cells(
     Ok((0..rays.div_ceil(CHUNK)).into_par_iter().map(chunk).reduce(new_cells, merged))
 }
 
-/// A seed for part `index` (the finaliser of SplitMix64: Steele, Lea, Flood, OOPSLA 2014).
+/// A seed for part `index`.
 fn mixed(seed: u64, index: u64) -> u64 {
-    let mut z = seed.wrapping_add(index.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
-    z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ z >> 31
+    split_mix::mix(seed.wrapping_add(index.wrapping_add(1).wrapping_mul(split_mix::STEP)))
 }
