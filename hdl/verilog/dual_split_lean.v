@@ -169,17 +169,17 @@ module dual_split_select (
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
     output wire        valid_o,
-    output wire [31:0] plane_o_0_o,
-    output wire [31:0] plane_o_1_o,
-    output wire [31:0] origin_o_0_o,
-    output wire [31:0] origin_o_1_o,
-    output wire [31:0] inv_o_0_o,
-    output wire [31:0] inv_o_1_o,
+    output wire [31:0] plane_0_o,
+    output wire [31:0] plane_1_o,
+    output wire [31:0] origin_0_o,
+    output wire [31:0] origin_1_o,
+    output wire [31:0] inv_0_o,
+    output wire [31:0] inv_1_o,
     output wire [31:0] t_min_o,
     output wire [31:0] t_max_o,
     output wire [31:0] header_o,
-    output wire        exit_o_0_o,
-    output wire        exit_o_1_o
+    output wire        exit_0_o,
+    output wire        exit_1_o
 );
 
     // Registers
@@ -320,17 +320,17 @@ module dual_split_select (
 
     // Outputs
     assign valid_o = valid;
-    assign plane_o_0_o = plane_0;
-    assign plane_o_1_o = plane_1;
-    assign origin_o_0_o = origin_0;
-    assign origin_o_1_o = origin_1;
-    assign inv_o_0_o = inv_wait_0_q_o;
-    assign inv_o_1_o = inv_wait_1_q_o;
+    assign plane_0_o = plane_0;
+    assign plane_1_o = plane_1;
+    assign origin_0_o = origin_0;
+    assign origin_1_o = origin_1;
+    assign inv_0_o = inv_wait_0_q_o;
+    assign inv_1_o = inv_wait_1_q_o;
     assign t_min_o = t_min_wait_q_o;
     assign t_max_o = t_max_wait_q_o;
     assign header_o = header_wait_q_o;
-    assign exit_o_0_o = exit_wait_0_q_o;
-    assign exit_o_1_o = exit_wait_1_q_o;
+    assign exit_0_o = exit_wait_0_q_o;
+    assign exit_1_o = exit_wait_1_q_o;
 endmodule
 
 // fp_unpack e8m23
@@ -1682,20 +1682,20 @@ module dual_split_lean (
 
     // Outputs of instances
     wire select_valid_o;
-    wire [31:0] select_plane_o_0_o;
-    wire [31:0] select_origin_o_0_o;
+    wire [31:0] select_plane_0_o;
+    wire [31:0] select_origin_0_o;
     wire subtract_0_valid_o;
     wire [31:0] subtract_0_result_o;
-    wire [31:0] select_inv_o_0_o;
-    wire [31:0] select_plane_o_1_o;
-    wire [31:0] select_origin_o_1_o;
+    wire [31:0] select_inv_0_o;
+    wire [31:0] select_plane_1_o;
+    wire [31:0] select_origin_1_o;
     wire [31:0] subtract_1_result_o;
-    wire [31:0] select_inv_o_1_o;
+    wire [31:0] select_inv_1_o;
     wire multiply_0_valid_o;
     wire [31:0] multiply_0_result_o;
     wire [31:0] multiply_1_result_o;
-    wire select_exit_o_0_o;
-    wire select_exit_o_1_o;
+    wire select_exit_0_o;
+    wire select_exit_1_o;
     wire [31:0] select_header_o;
     wire [31:0] select_t_min_o;
     wire [31:0] select_t_max_o;
@@ -1729,32 +1729,32 @@ module dual_split_lean (
         .t_min_i       (t_min_i),
         .t_max_i       (t_max_i),
         .valid_o       (select_valid_o),
-        .plane_o_0_o   (select_plane_o_0_o),
-        .plane_o_1_o   (select_plane_o_1_o),
-        .origin_o_0_o  (select_origin_o_0_o),
-        .origin_o_1_o  (select_origin_o_1_o),
-        .inv_o_0_o     (select_inv_o_0_o),
-        .inv_o_1_o     (select_inv_o_1_o),
+        .plane_0_o     (select_plane_0_o),
+        .plane_1_o     (select_plane_1_o),
+        .origin_0_o    (select_origin_0_o),
+        .origin_1_o    (select_origin_1_o),
+        .inv_0_o       (select_inv_0_o),
+        .inv_1_o       (select_inv_1_o),
         .t_min_o       (select_t_min_o),
         .t_max_o       (select_t_max_o),
         .header_o      (select_header_o),
-        .exit_o_0_o    (select_exit_o_0_o),
-        .exit_o_1_o    (select_exit_o_1_o)
+        .exit_0_o      (select_exit_0_o),
+        .exit_1_o      (select_exit_1_o)
     );
     fp_add_v1 subtract_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (select_valid_o),
-        .a_i      (select_plane_o_0_o),
-        .b_i      (select_origin_o_0_o),
+        .a_i      (select_plane_0_o),
+        .b_i      (select_origin_0_o),
         .valid_o  (subtract_0_valid_o),
         .result_o (subtract_0_result_o)
     );
     fp_add_v2 subtract_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (select_plane_o_1_o),
-        .b_i      (select_origin_o_1_o),
+        .a_i      (select_plane_1_o),
+        .b_i      (select_origin_1_o),
         .result_o (subtract_1_result_o)
     );
     fp_mul_v1 multiply_0 (
@@ -1762,7 +1762,7 @@ module dual_split_lean (
         .en_i     (en_i),
         .valid_i  (subtract_0_valid_o),
         .a_i      (subtract_0_result_o),
-        .b_i      (select_inv_o_0_o),
+        .b_i      (select_inv_0_o),
         .valid_o  (multiply_0_valid_o),
         .result_o (multiply_0_result_o)
     );
@@ -1770,7 +1770,7 @@ module dual_split_lean (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_1_result_o),
-        .b_i      (select_inv_o_1_o),
+        .b_i      (select_inv_1_o),
         .result_o (multiply_1_result_o)
     );
     dual_split_fold fold (
@@ -1779,8 +1779,8 @@ module dual_split_lean (
         .valid_i       (multiply_0_valid_o),
         .t_0_i         (multiply_0_result_o),
         .t_1_i         (multiply_1_result_o),
-        .exit_0_i      (select_exit_o_0_o),
-        .exit_1_i      (select_exit_o_1_o),
+        .exit_0_i      (select_exit_0_o),
+        .exit_1_i      (select_exit_1_o),
         .header_i      (select_header_o),
         .t_min_i       (select_t_min_o),
         .t_max_i       (select_t_max_o),

@@ -71,12 +71,12 @@ module ray_box_select (
     input  wire [31:0] inv_exit_z_i,
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
-    output wire [31:0] inv_o_0_o,
-    output wire [31:0] inv_o_1_o,
-    output wire [31:0] inv_o_2_o,
-    output wire [31:0] inv_o_3_o,
-    output wire [31:0] inv_o_4_o,
-    output wire [31:0] inv_o_5_o,
+    output wire [31:0] inv_0_o,
+    output wire [31:0] inv_1_o,
+    output wire [31:0] inv_2_o,
+    output wire [31:0] inv_3_o,
+    output wire [31:0] inv_4_o,
+    output wire [31:0] inv_5_o,
     output wire [31:0] t_min_o,
     output wire [31:0] t_max_o
 );
@@ -150,12 +150,12 @@ module ray_box_select (
     );
 
     // Outputs
-    assign inv_o_0_o = inv_wait_0_q_o;
-    assign inv_o_1_o = inv_wait_1_q_o;
-    assign inv_o_2_o = inv_wait_2_q_o;
-    assign inv_o_3_o = inv_wait_3_q_o;
-    assign inv_o_4_o = inv_wait_4_q_o;
-    assign inv_o_5_o = inv_wait_5_q_o;
+    assign inv_0_o = inv_wait_0_q_o;
+    assign inv_1_o = inv_wait_1_q_o;
+    assign inv_2_o = inv_wait_2_q_o;
+    assign inv_3_o = inv_wait_3_q_o;
+    assign inv_4_o = inv_wait_4_q_o;
+    assign inv_5_o = inv_wait_5_q_o;
     assign t_min_o = t_min_wait_q_o;
     assign t_max_o = t_max_wait_q_o;
 endmodule
@@ -1299,12 +1299,12 @@ module ray_box_fold_v1 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire        valid_i,
-    input  wire [31:0] t_i_0_i,
-    input  wire [31:0] t_i_1_i,
-    input  wire [31:0] t_i_2_i,
-    input  wire [31:0] t_i_3_i,
-    input  wire [31:0] t_i_4_i,
-    input  wire [31:0] t_i_5_i,
+    input  wire [31:0] t_0_i,
+    input  wire [31:0] t_1_i,
+    input  wire [31:0] t_2_i,
+    input  wire [31:0] t_3_i,
+    input  wire [31:0] t_4_i,
+    input  wire [31:0] t_5_i,
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
     output wire        valid_o,
@@ -1351,44 +1351,44 @@ module ray_box_fold_v1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (valid_i),
-        .a_i      (t_i_0_i),
-        .b_i      (t_i_3_i),
+        .a_i      (t_0_i),
+        .b_i      (t_3_i),
         .valid_o  (axis_near_0_valid_o),
         .result_o (axis_near_0_result_o)
     );
     fp_min_max_v2 axis_near_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_1_i),
-        .b_i      (t_i_4_i),
+        .a_i      (t_1_i),
+        .b_i      (t_4_i),
         .result_o (axis_near_1_result_o)
     );
     fp_min_max_v2 axis_near_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_2_i),
-        .b_i      (t_i_5_i),
+        .a_i      (t_2_i),
+        .b_i      (t_5_i),
         .result_o (axis_near_2_result_o)
     );
     fp_min_max_v3 axis_far_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_0_i),
-        .b_i      (t_i_3_i),
+        .a_i      (t_0_i),
+        .b_i      (t_3_i),
         .result_o (axis_far_0_result_o)
     );
     fp_min_max_v3 axis_far_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_1_i),
-        .b_i      (t_i_4_i),
+        .a_i      (t_1_i),
+        .b_i      (t_4_i),
         .result_o (axis_far_1_result_o)
     );
     fp_min_max_v3 axis_far_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_2_i),
-        .b_i      (t_i_5_i),
+        .a_i      (t_2_i),
+        .b_i      (t_5_i),
         .result_o (axis_far_2_result_o)
     );
     fp_min_max_v4 entry_half_0 (
@@ -1497,22 +1497,22 @@ module ray_box_v1 (
     // Outputs of instances
     wire subtract_0_valid_o;
     wire [31:0] subtract_0_result_o;
-    wire [31:0] select_inv_o_0_o;
+    wire [31:0] select_inv_0_o;
     wire [31:0] multiply_0_result_o;
     wire [31:0] subtract_1_result_o;
-    wire [31:0] select_inv_o_1_o;
+    wire [31:0] select_inv_1_o;
     wire [31:0] multiply_1_result_o;
     wire [31:0] subtract_2_result_o;
-    wire [31:0] select_inv_o_2_o;
+    wire [31:0] select_inv_2_o;
     wire [31:0] multiply_2_result_o;
     wire [31:0] subtract_3_result_o;
-    wire [31:0] select_inv_o_3_o;
+    wire [31:0] select_inv_3_o;
     wire [31:0] multiply_3_result_o;
     wire [31:0] subtract_4_result_o;
-    wire [31:0] select_inv_o_4_o;
+    wire [31:0] select_inv_4_o;
     wire [31:0] multiply_4_result_o;
     wire [31:0] subtract_5_result_o;
-    wire [31:0] select_inv_o_5_o;
+    wire [31:0] select_inv_5_o;
     wire [31:0] multiply_5_result_o;
     wire multiply_0_valid_o;
     wire [31:0] select_t_min_o;
@@ -1533,12 +1533,12 @@ module ray_box_v1 (
         .inv_exit_z_i  (inv_exit_z_i),
         .t_min_i       (t_min_i),
         .t_max_i       (t_max_i),
-        .inv_o_0_o     (select_inv_o_0_o),
-        .inv_o_1_o     (select_inv_o_1_o),
-        .inv_o_2_o     (select_inv_o_2_o),
-        .inv_o_3_o     (select_inv_o_3_o),
-        .inv_o_4_o     (select_inv_o_4_o),
-        .inv_o_5_o     (select_inv_o_5_o),
+        .inv_0_o       (select_inv_0_o),
+        .inv_1_o       (select_inv_1_o),
+        .inv_2_o       (select_inv_2_o),
+        .inv_3_o       (select_inv_3_o),
+        .inv_4_o       (select_inv_4_o),
+        .inv_5_o       (select_inv_5_o),
         .t_min_o       (select_t_min_o),
         .t_max_o       (select_t_max_o)
     );
@@ -1591,7 +1591,7 @@ module ray_box_v1 (
         .en_i     (en_i),
         .valid_i  (subtract_0_valid_o),
         .a_i      (subtract_0_result_o),
-        .b_i      (select_inv_o_0_o),
+        .b_i      (select_inv_0_o),
         .valid_o  (multiply_0_valid_o),
         .result_o (multiply_0_result_o)
     );
@@ -1599,47 +1599,47 @@ module ray_box_v1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_1_result_o),
-        .b_i      (select_inv_o_1_o),
+        .b_i      (select_inv_1_o),
         .result_o (multiply_1_result_o)
     );
     fp_mul_v2 multiply_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_2_result_o),
-        .b_i      (select_inv_o_2_o),
+        .b_i      (select_inv_2_o),
         .result_o (multiply_2_result_o)
     );
     fp_mul_v2 multiply_3 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_3_result_o),
-        .b_i      (select_inv_o_3_o),
+        .b_i      (select_inv_3_o),
         .result_o (multiply_3_result_o)
     );
     fp_mul_v2 multiply_4 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_4_result_o),
-        .b_i      (select_inv_o_4_o),
+        .b_i      (select_inv_4_o),
         .result_o (multiply_4_result_o)
     );
     fp_mul_v2 multiply_5 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_5_result_o),
-        .b_i      (select_inv_o_5_o),
+        .b_i      (select_inv_5_o),
         .result_o (multiply_5_result_o)
     );
     ray_box_fold_v1 fold (
         .clk_i     (clk_i),
         .en_i      (en_i),
         .valid_i   (multiply_0_valid_o),
-        .t_i_0_i   (multiply_0_result_o),
-        .t_i_1_i   (multiply_1_result_o),
-        .t_i_2_i   (multiply_2_result_o),
-        .t_i_3_i   (multiply_3_result_o),
-        .t_i_4_i   (multiply_4_result_o),
-        .t_i_5_i   (multiply_5_result_o),
+        .t_0_i     (multiply_0_result_o),
+        .t_1_i     (multiply_1_result_o),
+        .t_2_i     (multiply_2_result_o),
+        .t_3_i     (multiply_3_result_o),
+        .t_4_i     (multiply_4_result_o),
+        .t_5_i     (multiply_5_result_o),
         .t_min_i   (select_t_min_o),
         .t_max_i   (select_t_max_o),
         .valid_o   (fold_valid_o),
@@ -1693,12 +1693,12 @@ endmodule
 module ray_box_fold_v2 (
     input  wire        clk_i,
     input  wire        en_i,
-    input  wire [31:0] t_i_0_i,
-    input  wire [31:0] t_i_1_i,
-    input  wire [31:0] t_i_2_i,
-    input  wire [31:0] t_i_3_i,
-    input  wire [31:0] t_i_4_i,
-    input  wire [31:0] t_i_5_i,
+    input  wire [31:0] t_0_i,
+    input  wire [31:0] t_1_i,
+    input  wire [31:0] t_2_i,
+    input  wire [31:0] t_3_i,
+    input  wire [31:0] t_4_i,
+    input  wire [31:0] t_5_i,
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
     output wire        hit_o,
@@ -1739,43 +1739,43 @@ module ray_box_fold_v2 (
     fp_min_max_v2 axis_near_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_0_i),
-        .b_i      (t_i_3_i),
+        .a_i      (t_0_i),
+        .b_i      (t_3_i),
         .result_o (axis_near_0_result_o)
     );
     fp_min_max_v2 axis_near_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_1_i),
-        .b_i      (t_i_4_i),
+        .a_i      (t_1_i),
+        .b_i      (t_4_i),
         .result_o (axis_near_1_result_o)
     );
     fp_min_max_v2 axis_near_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_2_i),
-        .b_i      (t_i_5_i),
+        .a_i      (t_2_i),
+        .b_i      (t_5_i),
         .result_o (axis_near_2_result_o)
     );
     fp_min_max_v3 axis_far_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_0_i),
-        .b_i      (t_i_3_i),
+        .a_i      (t_0_i),
+        .b_i      (t_3_i),
         .result_o (axis_far_0_result_o)
     );
     fp_min_max_v3 axis_far_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_1_i),
-        .b_i      (t_i_4_i),
+        .a_i      (t_1_i),
+        .b_i      (t_4_i),
         .result_o (axis_far_1_result_o)
     );
     fp_min_max_v3 axis_far_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_2_i),
-        .b_i      (t_i_5_i),
+        .a_i      (t_2_i),
+        .b_i      (t_5_i),
         .result_o (axis_far_2_result_o)
     );
     fp_min_max_v5 entry_half_0 (
@@ -1874,22 +1874,22 @@ module ray_box_v2 (
 
     // Outputs of instances
     wire [31:0] subtract_0_result_o;
-    wire [31:0] select_inv_o_0_o;
+    wire [31:0] select_inv_0_o;
     wire [31:0] multiply_0_result_o;
     wire [31:0] subtract_1_result_o;
-    wire [31:0] select_inv_o_1_o;
+    wire [31:0] select_inv_1_o;
     wire [31:0] multiply_1_result_o;
     wire [31:0] subtract_2_result_o;
-    wire [31:0] select_inv_o_2_o;
+    wire [31:0] select_inv_2_o;
     wire [31:0] multiply_2_result_o;
     wire [31:0] subtract_3_result_o;
-    wire [31:0] select_inv_o_3_o;
+    wire [31:0] select_inv_3_o;
     wire [31:0] multiply_3_result_o;
     wire [31:0] subtract_4_result_o;
-    wire [31:0] select_inv_o_4_o;
+    wire [31:0] select_inv_4_o;
     wire [31:0] multiply_4_result_o;
     wire [31:0] subtract_5_result_o;
-    wire [31:0] select_inv_o_5_o;
+    wire [31:0] select_inv_5_o;
     wire [31:0] multiply_5_result_o;
     wire [31:0] select_t_min_o;
     wire [31:0] select_t_max_o;
@@ -1908,12 +1908,12 @@ module ray_box_v2 (
         .inv_exit_z_i  (inv_exit_z_i),
         .t_min_i       (t_min_i),
         .t_max_i       (t_max_i),
-        .inv_o_0_o     (select_inv_o_0_o),
-        .inv_o_1_o     (select_inv_o_1_o),
-        .inv_o_2_o     (select_inv_o_2_o),
-        .inv_o_3_o     (select_inv_o_3_o),
-        .inv_o_4_o     (select_inv_o_4_o),
-        .inv_o_5_o     (select_inv_o_5_o),
+        .inv_0_o       (select_inv_0_o),
+        .inv_1_o       (select_inv_1_o),
+        .inv_2_o       (select_inv_2_o),
+        .inv_3_o       (select_inv_3_o),
+        .inv_4_o       (select_inv_4_o),
+        .inv_5_o       (select_inv_5_o),
         .t_min_o       (select_t_min_o),
         .t_max_o       (select_t_max_o)
     );
@@ -1963,53 +1963,53 @@ module ray_box_v2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_0_result_o),
-        .b_i      (select_inv_o_0_o),
+        .b_i      (select_inv_0_o),
         .result_o (multiply_0_result_o)
     );
     fp_mul_v2 multiply_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_1_result_o),
-        .b_i      (select_inv_o_1_o),
+        .b_i      (select_inv_1_o),
         .result_o (multiply_1_result_o)
     );
     fp_mul_v2 multiply_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_2_result_o),
-        .b_i      (select_inv_o_2_o),
+        .b_i      (select_inv_2_o),
         .result_o (multiply_2_result_o)
     );
     fp_mul_v2 multiply_3 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_3_result_o),
-        .b_i      (select_inv_o_3_o),
+        .b_i      (select_inv_3_o),
         .result_o (multiply_3_result_o)
     );
     fp_mul_v2 multiply_4 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_4_result_o),
-        .b_i      (select_inv_o_4_o),
+        .b_i      (select_inv_4_o),
         .result_o (multiply_4_result_o)
     );
     fp_mul_v2 multiply_5 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_5_result_o),
-        .b_i      (select_inv_o_5_o),
+        .b_i      (select_inv_5_o),
         .result_o (multiply_5_result_o)
     );
     ray_box_fold_v2 fold (
         .clk_i     (clk_i),
         .en_i      (en_i),
-        .t_i_0_i   (multiply_0_result_o),
-        .t_i_1_i   (multiply_1_result_o),
-        .t_i_2_i   (multiply_2_result_o),
-        .t_i_3_i   (multiply_3_result_o),
-        .t_i_4_i   (multiply_4_result_o),
-        .t_i_5_i   (multiply_5_result_o),
+        .t_0_i     (multiply_0_result_o),
+        .t_1_i     (multiply_1_result_o),
+        .t_2_i     (multiply_2_result_o),
+        .t_3_i     (multiply_3_result_o),
+        .t_4_i     (multiply_4_result_o),
+        .t_5_i     (multiply_5_result_o),
         .t_min_i   (select_t_min_o),
         .t_max_i   (select_t_max_o),
         .hit_o     (fold_hit_o),
@@ -2063,18 +2063,18 @@ module ray_box_x2 (
     input  wire        en_i,
     input  wire        valid_i,
     input  wire        tag_i,
-    input  wire [31:0] box_min_x_i_0_i,
-    input  wire [31:0] box_min_x_i_1_i,
-    input  wire [31:0] box_min_y_i_0_i,
-    input  wire [31:0] box_min_y_i_1_i,
-    input  wire [31:0] box_min_z_i_0_i,
-    input  wire [31:0] box_min_z_i_1_i,
-    input  wire [31:0] box_max_x_i_0_i,
-    input  wire [31:0] box_max_x_i_1_i,
-    input  wire [31:0] box_max_y_i_0_i,
-    input  wire [31:0] box_max_y_i_1_i,
-    input  wire [31:0] box_max_z_i_0_i,
-    input  wire [31:0] box_max_z_i_1_i,
+    input  wire [31:0] box_min_x_0_i,
+    input  wire [31:0] box_min_x_1_i,
+    input  wire [31:0] box_min_y_0_i,
+    input  wire [31:0] box_min_y_1_i,
+    input  wire [31:0] box_min_z_0_i,
+    input  wire [31:0] box_min_z_1_i,
+    input  wire [31:0] box_max_x_0_i,
+    input  wire [31:0] box_max_x_1_i,
+    input  wire [31:0] box_max_y_0_i,
+    input  wire [31:0] box_max_y_1_i,
+    input  wire [31:0] box_max_z_0_i,
+    input  wire [31:0] box_max_z_1_i,
     input  wire [31:0] origin_x_i,
     input  wire [31:0] origin_y_i,
     input  wire [31:0] origin_z_i,
@@ -2088,10 +2088,10 @@ module ray_box_x2 (
     input  wire [31:0] t_max_i,
     output wire        valid_o,
     output wire        tag_o,
-    output wire        hit_o_0_o,
-    output wire        hit_o_1_o,
-    output wire [31:0] t_entry_o_0_o,
-    output wire [31:0] t_entry_o_1_o
+    output wire        hit_0_o,
+    output wire        hit_1_o,
+    output wire [31:0] t_entry_0_o,
+    output wire [31:0] t_entry_1_o
 );
 
     // Outputs of instances
@@ -2107,12 +2107,12 @@ module ray_box_x2 (
         .clk_i         (clk_i),
         .en_i          (en_i),
         .valid_i       (valid_i),
-        .box_min_x_i   (box_min_x_i_0_i),
-        .box_min_y_i   (box_min_y_i_0_i),
-        .box_min_z_i   (box_min_z_i_0_i),
-        .box_max_x_i   (box_max_x_i_0_i),
-        .box_max_y_i   (box_max_y_i_0_i),
-        .box_max_z_i   (box_max_z_i_0_i),
+        .box_min_x_i   (box_min_x_0_i),
+        .box_min_y_i   (box_min_y_0_i),
+        .box_min_z_i   (box_min_z_0_i),
+        .box_max_x_i   (box_max_x_0_i),
+        .box_max_y_i   (box_max_y_0_i),
+        .box_max_z_i   (box_max_z_0_i),
         .origin_x_i    (origin_x_i),
         .origin_y_i    (origin_y_i),
         .origin_z_i    (origin_z_i),
@@ -2131,12 +2131,12 @@ module ray_box_x2 (
     ray_box_v2 lane_1 (
         .clk_i         (clk_i),
         .en_i          (en_i),
-        .box_min_x_i   (box_min_x_i_1_i),
-        .box_min_y_i   (box_min_y_i_1_i),
-        .box_min_z_i   (box_min_z_i_1_i),
-        .box_max_x_i   (box_max_x_i_1_i),
-        .box_max_y_i   (box_max_y_i_1_i),
-        .box_max_z_i   (box_max_z_i_1_i),
+        .box_min_x_i   (box_min_x_1_i),
+        .box_min_y_i   (box_min_y_1_i),
+        .box_min_z_i   (box_min_z_1_i),
+        .box_max_x_i   (box_max_x_1_i),
+        .box_max_y_i   (box_max_y_1_i),
+        .box_max_z_i   (box_max_z_1_i),
         .origin_x_i    (origin_x_i),
         .origin_y_i    (origin_y_i),
         .origin_z_i    (origin_z_i),
@@ -2161,10 +2161,10 @@ module ray_box_x2 (
     // Outputs
     assign valid_o = lane_0_valid_o;
     assign tag_o = tag_q_o;
-    assign hit_o_0_o = lane_0_hit_o;
-    assign hit_o_1_o = lane_1_hit_o;
-    assign t_entry_o_0_o = lane_0_t_entry_o;
-    assign t_entry_o_1_o = lane_1_t_entry_o;
+    assign hit_0_o = lane_0_hit_o;
+    assign hit_1_o = lane_1_hit_o;
+    assign t_entry_0_o = lane_0_t_entry_o;
+    assign t_entry_1_o = lane_1_t_entry_o;
 endmodule
 
 `default_nettype wire

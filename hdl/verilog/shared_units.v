@@ -610,12 +610,12 @@ module ray_box_select (
     input  wire [31:0] inv_exit_z_i,
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
-    output wire [31:0] inv_o_0_o,
-    output wire [31:0] inv_o_1_o,
-    output wire [31:0] inv_o_2_o,
-    output wire [31:0] inv_o_3_o,
-    output wire [31:0] inv_o_4_o,
-    output wire [31:0] inv_o_5_o,
+    output wire [31:0] inv_0_o,
+    output wire [31:0] inv_1_o,
+    output wire [31:0] inv_2_o,
+    output wire [31:0] inv_3_o,
+    output wire [31:0] inv_4_o,
+    output wire [31:0] inv_5_o,
     output wire [31:0] t_min_o,
     output wire [31:0] t_max_o
 );
@@ -689,12 +689,12 @@ module ray_box_select (
     );
 
     // Outputs
-    assign inv_o_0_o = inv_wait_0_q_o;
-    assign inv_o_1_o = inv_wait_1_q_o;
-    assign inv_o_2_o = inv_wait_2_q_o;
-    assign inv_o_3_o = inv_wait_3_q_o;
-    assign inv_o_4_o = inv_wait_4_q_o;
-    assign inv_o_5_o = inv_wait_5_q_o;
+    assign inv_0_o = inv_wait_0_q_o;
+    assign inv_1_o = inv_wait_1_q_o;
+    assign inv_2_o = inv_wait_2_q_o;
+    assign inv_3_o = inv_wait_3_q_o;
+    assign inv_4_o = inv_wait_4_q_o;
+    assign inv_5_o = inv_wait_5_q_o;
     assign t_min_o = t_min_wait_q_o;
     assign t_max_o = t_max_wait_q_o;
 endmodule
@@ -1040,12 +1040,12 @@ module ray_box_fold (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire        valid_i,
-    input  wire [31:0] t_i_0_i,
-    input  wire [31:0] t_i_1_i,
-    input  wire [31:0] t_i_2_i,
-    input  wire [31:0] t_i_3_i,
-    input  wire [31:0] t_i_4_i,
-    input  wire [31:0] t_i_5_i,
+    input  wire [31:0] t_0_i,
+    input  wire [31:0] t_1_i,
+    input  wire [31:0] t_2_i,
+    input  wire [31:0] t_3_i,
+    input  wire [31:0] t_4_i,
+    input  wire [31:0] t_5_i,
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
     output wire        valid_o,
@@ -1092,44 +1092,44 @@ module ray_box_fold (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (valid_i),
-        .a_i      (t_i_0_i),
-        .b_i      (t_i_3_i),
+        .a_i      (t_0_i),
+        .b_i      (t_3_i),
         .valid_o  (axis_near_0_valid_o),
         .result_o (axis_near_0_result_o)
     );
     fp_min_max_v2 axis_near_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_1_i),
-        .b_i      (t_i_4_i),
+        .a_i      (t_1_i),
+        .b_i      (t_4_i),
         .result_o (axis_near_1_result_o)
     );
     fp_min_max_v2 axis_near_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_2_i),
-        .b_i      (t_i_5_i),
+        .a_i      (t_2_i),
+        .b_i      (t_5_i),
         .result_o (axis_near_2_result_o)
     );
     fp_min_max_v3 axis_far_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_0_i),
-        .b_i      (t_i_3_i),
+        .a_i      (t_0_i),
+        .b_i      (t_3_i),
         .result_o (axis_far_0_result_o)
     );
     fp_min_max_v3 axis_far_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_1_i),
-        .b_i      (t_i_4_i),
+        .a_i      (t_1_i),
+        .b_i      (t_4_i),
         .result_o (axis_far_1_result_o)
     );
     fp_min_max_v3 axis_far_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .a_i      (t_i_2_i),
-        .b_i      (t_i_5_i),
+        .a_i      (t_2_i),
+        .b_i      (t_5_i),
         .result_o (axis_far_2_result_o)
     );
     fp_min_max_v4 entry_half_0 (
@@ -1377,17 +1377,17 @@ module dual_split_select (
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
     output wire        valid_o,
-    output wire [31:0] plane_o_0_o,
-    output wire [31:0] plane_o_1_o,
-    output wire [31:0] origin_o_0_o,
-    output wire [31:0] origin_o_1_o,
-    output wire [31:0] inv_o_0_o,
-    output wire [31:0] inv_o_1_o,
+    output wire [31:0] plane_0_o,
+    output wire [31:0] plane_1_o,
+    output wire [31:0] origin_0_o,
+    output wire [31:0] origin_1_o,
+    output wire [31:0] inv_0_o,
+    output wire [31:0] inv_1_o,
     output wire [31:0] t_min_o,
     output wire [31:0] t_max_o,
     output wire [31:0] header_o,
-    output wire        exit_o_0_o,
-    output wire        exit_o_1_o
+    output wire        exit_0_o,
+    output wire        exit_1_o
 );
 
     // Registers
@@ -1548,17 +1548,17 @@ module dual_split_select (
 
     // Outputs
     assign valid_o = valid;
-    assign plane_o_0_o = plane_0;
-    assign plane_o_1_o = plane_1;
-    assign origin_o_0_o = origin_0;
-    assign origin_o_1_o = origin_1;
-    assign inv_o_0_o = inv_wait_0_q_o;
-    assign inv_o_1_o = inv_wait_1_q_o;
+    assign plane_0_o = plane_0;
+    assign plane_1_o = plane_1;
+    assign origin_0_o = origin_0;
+    assign origin_1_o = origin_1;
+    assign inv_0_o = inv_wait_0_q_o;
+    assign inv_1_o = inv_wait_1_q_o;
     assign t_min_o = t_min_wait_q_o;
     assign t_max_o = t_max_wait_q_o;
     assign header_o = header_wait_q_o;
-    assign exit_o_0_o = exit_wait_0_q_o;
-    assign exit_o_1_o = exit_wait_1_q_o;
+    assign exit_0_o = exit_wait_0_q_o;
+    assign exit_1_o = exit_wait_1_q_o;
 endmodule
 
 // fp_min_max e8m23_t1
@@ -1931,78 +1931,78 @@ module shared_units (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [1:0]  mode_i,
-    input  wire        add_valid_i_0_i,
-    input  wire        add_valid_i_1_i,
-    input  wire        add_valid_i_2_i,
-    input  wire        add_valid_i_3_i,
-    input  wire        add_valid_i_4_i,
-    input  wire        add_valid_i_5_i,
-    input  wire        add_valid_i_6_i,
-    input  wire        add_valid_i_7_i,
-    input  wire        add_tag_i_0_i,
-    input  wire        add_tag_i_1_i,
-    input  wire        add_tag_i_2_i,
-    input  wire        add_tag_i_3_i,
-    input  wire        add_tag_i_4_i,
-    input  wire        add_tag_i_5_i,
-    input  wire        add_tag_i_6_i,
-    input  wire        add_tag_i_7_i,
-    input  wire [31:0] add_a_i_0_i,
-    input  wire [31:0] add_a_i_1_i,
-    input  wire [31:0] add_a_i_2_i,
-    input  wire [31:0] add_a_i_3_i,
-    input  wire [31:0] add_a_i_4_i,
-    input  wire [31:0] add_a_i_5_i,
-    input  wire [31:0] add_a_i_6_i,
-    input  wire [31:0] add_a_i_7_i,
-    input  wire [31:0] add_b_i_0_i,
-    input  wire [31:0] add_b_i_1_i,
-    input  wire [31:0] add_b_i_2_i,
-    input  wire [31:0] add_b_i_3_i,
-    input  wire [31:0] add_b_i_4_i,
-    input  wire [31:0] add_b_i_5_i,
-    input  wire [31:0] add_b_i_6_i,
-    input  wire [31:0] add_b_i_7_i,
-    input  wire        add_subtract_i_0_i,
-    input  wire        add_subtract_i_1_i,
-    input  wire        add_subtract_i_2_i,
-    input  wire        add_subtract_i_3_i,
-    input  wire        add_subtract_i_4_i,
-    input  wire        add_subtract_i_5_i,
-    input  wire        add_subtract_i_6_i,
-    input  wire        add_subtract_i_7_i,
-    input  wire        mul_valid_i_0_i,
-    input  wire        mul_valid_i_1_i,
-    input  wire        mul_valid_i_2_i,
-    input  wire        mul_valid_i_3_i,
-    input  wire        mul_valid_i_4_i,
-    input  wire        mul_valid_i_5_i,
-    input  wire        mul_valid_i_6_i,
-    input  wire        mul_valid_i_7_i,
-    input  wire        mul_tag_i_0_i,
-    input  wire        mul_tag_i_1_i,
-    input  wire        mul_tag_i_2_i,
-    input  wire        mul_tag_i_3_i,
-    input  wire        mul_tag_i_4_i,
-    input  wire        mul_tag_i_5_i,
-    input  wire        mul_tag_i_6_i,
-    input  wire        mul_tag_i_7_i,
-    input  wire [31:0] mul_a_i_0_i,
-    input  wire [31:0] mul_a_i_1_i,
-    input  wire [31:0] mul_a_i_2_i,
-    input  wire [31:0] mul_a_i_3_i,
-    input  wire [31:0] mul_a_i_4_i,
-    input  wire [31:0] mul_a_i_5_i,
-    input  wire [31:0] mul_a_i_6_i,
-    input  wire [31:0] mul_a_i_7_i,
-    input  wire [31:0] mul_b_i_0_i,
-    input  wire [31:0] mul_b_i_1_i,
-    input  wire [31:0] mul_b_i_2_i,
-    input  wire [31:0] mul_b_i_3_i,
-    input  wire [31:0] mul_b_i_4_i,
-    input  wire [31:0] mul_b_i_5_i,
-    input  wire [31:0] mul_b_i_6_i,
-    input  wire [31:0] mul_b_i_7_i,
+    input  wire        add_valid_0_i,
+    input  wire        add_valid_1_i,
+    input  wire        add_valid_2_i,
+    input  wire        add_valid_3_i,
+    input  wire        add_valid_4_i,
+    input  wire        add_valid_5_i,
+    input  wire        add_valid_6_i,
+    input  wire        add_valid_7_i,
+    input  wire        add_tag_0_i,
+    input  wire        add_tag_1_i,
+    input  wire        add_tag_2_i,
+    input  wire        add_tag_3_i,
+    input  wire        add_tag_4_i,
+    input  wire        add_tag_5_i,
+    input  wire        add_tag_6_i,
+    input  wire        add_tag_7_i,
+    input  wire [31:0] add_a_0_i,
+    input  wire [31:0] add_a_1_i,
+    input  wire [31:0] add_a_2_i,
+    input  wire [31:0] add_a_3_i,
+    input  wire [31:0] add_a_4_i,
+    input  wire [31:0] add_a_5_i,
+    input  wire [31:0] add_a_6_i,
+    input  wire [31:0] add_a_7_i,
+    input  wire [31:0] add_b_0_i,
+    input  wire [31:0] add_b_1_i,
+    input  wire [31:0] add_b_2_i,
+    input  wire [31:0] add_b_3_i,
+    input  wire [31:0] add_b_4_i,
+    input  wire [31:0] add_b_5_i,
+    input  wire [31:0] add_b_6_i,
+    input  wire [31:0] add_b_7_i,
+    input  wire        add_subtract_0_i,
+    input  wire        add_subtract_1_i,
+    input  wire        add_subtract_2_i,
+    input  wire        add_subtract_3_i,
+    input  wire        add_subtract_4_i,
+    input  wire        add_subtract_5_i,
+    input  wire        add_subtract_6_i,
+    input  wire        add_subtract_7_i,
+    input  wire        mul_valid_0_i,
+    input  wire        mul_valid_1_i,
+    input  wire        mul_valid_2_i,
+    input  wire        mul_valid_3_i,
+    input  wire        mul_valid_4_i,
+    input  wire        mul_valid_5_i,
+    input  wire        mul_valid_6_i,
+    input  wire        mul_valid_7_i,
+    input  wire        mul_tag_0_i,
+    input  wire        mul_tag_1_i,
+    input  wire        mul_tag_2_i,
+    input  wire        mul_tag_3_i,
+    input  wire        mul_tag_4_i,
+    input  wire        mul_tag_5_i,
+    input  wire        mul_tag_6_i,
+    input  wire        mul_tag_7_i,
+    input  wire [31:0] mul_a_0_i,
+    input  wire [31:0] mul_a_1_i,
+    input  wire [31:0] mul_a_2_i,
+    input  wire [31:0] mul_a_3_i,
+    input  wire [31:0] mul_a_4_i,
+    input  wire [31:0] mul_a_5_i,
+    input  wire [31:0] mul_a_6_i,
+    input  wire [31:0] mul_a_7_i,
+    input  wire [31:0] mul_b_0_i,
+    input  wire [31:0] mul_b_1_i,
+    input  wire [31:0] mul_b_2_i,
+    input  wire [31:0] mul_b_3_i,
+    input  wire [31:0] mul_b_4_i,
+    input  wire [31:0] mul_b_5_i,
+    input  wire [31:0] mul_b_6_i,
+    input  wire [31:0] mul_b_7_i,
     input  wire        valid_i,
     input  wire        tag_i,
     input  wire [31:0] header_i,
@@ -2025,54 +2025,54 @@ module shared_units (
     input  wire [31:0] inv_exit_z_i,
     input  wire [31:0] t_min_i,
     input  wire [31:0] t_max_i,
-    output wire        add_valid_o_0_o,
-    output wire        add_valid_o_1_o,
-    output wire        add_valid_o_2_o,
-    output wire        add_valid_o_3_o,
-    output wire        add_valid_o_4_o,
-    output wire        add_valid_o_5_o,
-    output wire        add_valid_o_6_o,
-    output wire        add_valid_o_7_o,
-    output wire        add_tag_o_0_o,
-    output wire        add_tag_o_1_o,
-    output wire        add_tag_o_2_o,
-    output wire        add_tag_o_3_o,
-    output wire        add_tag_o_4_o,
-    output wire        add_tag_o_5_o,
-    output wire        add_tag_o_6_o,
-    output wire        add_tag_o_7_o,
-    output wire [31:0] add_result_o_0_o,
-    output wire [31:0] add_result_o_1_o,
-    output wire [31:0] add_result_o_2_o,
-    output wire [31:0] add_result_o_3_o,
-    output wire [31:0] add_result_o_4_o,
-    output wire [31:0] add_result_o_5_o,
-    output wire [31:0] add_result_o_6_o,
-    output wire [31:0] add_result_o_7_o,
-    output wire        mul_valid_o_0_o,
-    output wire        mul_valid_o_1_o,
-    output wire        mul_valid_o_2_o,
-    output wire        mul_valid_o_3_o,
-    output wire        mul_valid_o_4_o,
-    output wire        mul_valid_o_5_o,
-    output wire        mul_valid_o_6_o,
-    output wire        mul_valid_o_7_o,
-    output wire        mul_tag_o_0_o,
-    output wire        mul_tag_o_1_o,
-    output wire        mul_tag_o_2_o,
-    output wire        mul_tag_o_3_o,
-    output wire        mul_tag_o_4_o,
-    output wire        mul_tag_o_5_o,
-    output wire        mul_tag_o_6_o,
-    output wire        mul_tag_o_7_o,
-    output wire [31:0] mul_result_o_0_o,
-    output wire [31:0] mul_result_o_1_o,
-    output wire [31:0] mul_result_o_2_o,
-    output wire [31:0] mul_result_o_3_o,
-    output wire [31:0] mul_result_o_4_o,
-    output wire [31:0] mul_result_o_5_o,
-    output wire [31:0] mul_result_o_6_o,
-    output wire [31:0] mul_result_o_7_o,
+    output wire        add_valid_0_o,
+    output wire        add_valid_1_o,
+    output wire        add_valid_2_o,
+    output wire        add_valid_3_o,
+    output wire        add_valid_4_o,
+    output wire        add_valid_5_o,
+    output wire        add_valid_6_o,
+    output wire        add_valid_7_o,
+    output wire        add_tag_0_o,
+    output wire        add_tag_1_o,
+    output wire        add_tag_2_o,
+    output wire        add_tag_3_o,
+    output wire        add_tag_4_o,
+    output wire        add_tag_5_o,
+    output wire        add_tag_6_o,
+    output wire        add_tag_7_o,
+    output wire [31:0] add_result_0_o,
+    output wire [31:0] add_result_1_o,
+    output wire [31:0] add_result_2_o,
+    output wire [31:0] add_result_3_o,
+    output wire [31:0] add_result_4_o,
+    output wire [31:0] add_result_5_o,
+    output wire [31:0] add_result_6_o,
+    output wire [31:0] add_result_7_o,
+    output wire        mul_valid_0_o,
+    output wire        mul_valid_1_o,
+    output wire        mul_valid_2_o,
+    output wire        mul_valid_3_o,
+    output wire        mul_valid_4_o,
+    output wire        mul_valid_5_o,
+    output wire        mul_valid_6_o,
+    output wire        mul_valid_7_o,
+    output wire        mul_tag_0_o,
+    output wire        mul_tag_1_o,
+    output wire        mul_tag_2_o,
+    output wire        mul_tag_3_o,
+    output wire        mul_tag_4_o,
+    output wire        mul_tag_5_o,
+    output wire        mul_tag_6_o,
+    output wire        mul_tag_7_o,
+    output wire [31:0] mul_result_0_o,
+    output wire [31:0] mul_result_1_o,
+    output wire [31:0] mul_result_2_o,
+    output wire [31:0] mul_result_3_o,
+    output wire [31:0] mul_result_4_o,
+    output wire [31:0] mul_result_5_o,
+    output wire [31:0] mul_result_6_o,
+    output wire [31:0] mul_result_7_o,
     output wire        tag_o,
     output wire        node_valid_o,
     output wire [1:0]  code_o,
@@ -2090,35 +2090,35 @@ module shared_units (
     // Outputs of instances
     wire add_0_valid_o;
     wire [31:0] add_0_result_o;
-    wire [31:0] box_select_inv_o_0_o;
+    wire [31:0] box_select_inv_0_o;
     wire [31:0] mul_0_result_o;
     wire add_1_valid_o;
     wire [31:0] add_1_result_o;
-    wire [31:0] box_select_inv_o_1_o;
+    wire [31:0] box_select_inv_1_o;
     wire [31:0] mul_1_result_o;
     wire add_2_valid_o;
     wire [31:0] add_2_result_o;
-    wire [31:0] box_select_inv_o_2_o;
+    wire [31:0] box_select_inv_2_o;
     wire [31:0] mul_2_result_o;
     wire add_3_valid_o;
     wire [31:0] add_3_result_o;
-    wire [31:0] box_select_inv_o_3_o;
+    wire [31:0] box_select_inv_3_o;
     wire [31:0] mul_3_result_o;
     wire add_4_valid_o;
     wire [31:0] add_4_result_o;
-    wire [31:0] box_select_inv_o_4_o;
+    wire [31:0] box_select_inv_4_o;
     wire [31:0] mul_4_result_o;
     wire add_5_valid_o;
     wire [31:0] add_5_result_o;
-    wire [31:0] box_select_inv_o_5_o;
+    wire [31:0] box_select_inv_5_o;
     wire [31:0] mul_5_result_o;
     wire node_select_valid_o;
-    wire [31:0] node_select_plane_o_0_o;
-    wire [31:0] node_select_origin_o_0_o;
-    wire [31:0] node_select_inv_o_0_o;
-    wire [31:0] node_select_plane_o_1_o;
-    wire [31:0] node_select_origin_o_1_o;
-    wire [31:0] node_select_inv_o_1_o;
+    wire [31:0] node_select_plane_0_o;
+    wire [31:0] node_select_origin_0_o;
+    wire [31:0] node_select_inv_0_o;
+    wire [31:0] node_select_plane_1_o;
+    wire [31:0] node_select_origin_1_o;
+    wire [31:0] node_select_inv_1_o;
     wire add_0_tag_o;
     wire mul_0_valid_o;
     wire mul_0_tag_o;
@@ -2151,8 +2151,8 @@ module shared_units (
     wire [31:0] mul_7_result_o;
     wire [31:0] box_select_t_min_o;
     wire [31:0] box_select_t_max_o;
-    wire node_select_exit_o_0_o;
-    wire node_select_exit_o_1_o;
+    wire node_select_exit_0_o;
+    wire node_select_exit_1_o;
     wire [31:0] node_select_header_o;
     wire [31:0] node_select_t_min_o;
     wire [31:0] node_select_t_max_o;
@@ -2173,63 +2173,63 @@ module shared_units (
     wire ray_box = mode_i == 2'd1;
     wire dual_split = mode_i == 2'd2;
     wire n87 = mode_i != 2'd1;
-    wire add_valid_0_2 = ray_box ? valid_i : add_valid_i_0_i;
-    wire [31:0] add_a_0_2 = ray_box ? box_min_x_i : add_a_i_0_i;
-    wire [31:0] add_b_0_2 = ray_box ? origin_x_i : add_b_i_0_i;
-    wire add_subtract_0_2 = ray_box | add_subtract_i_0_i;
-    wire mul_valid_0_2 = ray_box ? add_0_valid_o : mul_valid_i_0_i;
-    wire [31:0] mul_a_0_2 = ray_box ? add_0_result_o : mul_a_i_0_i;
-    wire [31:0] mul_b_0_2 = ray_box ? box_select_inv_o_0_o : mul_b_i_0_i;
-    wire add_valid_1_2 = ray_box ? valid_i : add_valid_i_1_i;
-    wire [31:0] add_a_1_2 = ray_box ? box_min_y_i : add_a_i_1_i;
-    wire [31:0] add_b_1_2 = ray_box ? origin_y_i : add_b_i_1_i;
-    wire add_subtract_1_2 = ray_box | add_subtract_i_1_i;
-    wire mul_valid_1_2 = ray_box ? add_1_valid_o : mul_valid_i_1_i;
-    wire [31:0] mul_a_1_2 = ray_box ? add_1_result_o : mul_a_i_1_i;
-    wire [31:0] mul_b_1_2 = ray_box ? box_select_inv_o_1_o : mul_b_i_1_i;
-    wire add_valid_2 = ray_box ? valid_i : add_valid_i_2_i;
-    wire [31:0] add_a_2 = ray_box ? box_min_z_i : add_a_i_2_i;
-    wire [31:0] add_b_2 = ray_box ? origin_z_i : add_b_i_2_i;
-    wire add_subtract_2 = ray_box | add_subtract_i_2_i;
-    wire mul_valid_2 = ray_box ? add_2_valid_o : mul_valid_i_2_i;
-    wire [31:0] mul_a_2 = ray_box ? add_2_result_o : mul_a_i_2_i;
-    wire [31:0] mul_b_2 = ray_box ? box_select_inv_o_2_o : mul_b_i_2_i;
-    wire add_valid_3 = ray_box ? valid_i : add_valid_i_3_i;
-    wire [31:0] add_a_3 = ray_box ? box_max_x_i : add_a_i_3_i;
-    wire [31:0] add_b_3 = ray_box ? origin_x_i : add_b_i_3_i;
-    wire add_subtract_3 = ray_box | add_subtract_i_3_i;
-    wire mul_valid_3 = ray_box ? add_3_valid_o : mul_valid_i_3_i;
-    wire [31:0] mul_a_3 = ray_box ? add_3_result_o : mul_a_i_3_i;
-    wire [31:0] mul_b_3 = ray_box ? box_select_inv_o_3_o : mul_b_i_3_i;
-    wire add_valid_4 = ray_box ? valid_i : add_valid_i_4_i;
-    wire [31:0] add_a_4 = ray_box ? box_max_y_i : add_a_i_4_i;
-    wire [31:0] add_b_4 = ray_box ? origin_y_i : add_b_i_4_i;
-    wire add_subtract_4 = ray_box | add_subtract_i_4_i;
-    wire mul_valid_4 = ray_box ? add_4_valid_o : mul_valid_i_4_i;
-    wire [31:0] mul_a_4 = ray_box ? add_4_result_o : mul_a_i_4_i;
-    wire [31:0] mul_b_4 = ray_box ? box_select_inv_o_4_o : mul_b_i_4_i;
-    wire add_valid_5 = ray_box ? valid_i : add_valid_i_5_i;
-    wire [31:0] add_a_5 = ray_box ? box_max_z_i : add_a_i_5_i;
-    wire [31:0] add_b_5 = ray_box ? origin_z_i : add_b_i_5_i;
-    wire add_subtract_5 = ray_box | add_subtract_i_5_i;
-    wire mul_valid_5 = ray_box ? add_5_valid_o : mul_valid_i_5_i;
-    wire [31:0] mul_a_5 = ray_box ? add_5_result_o : mul_a_i_5_i;
-    wire [31:0] mul_b_5 = ray_box ? box_select_inv_o_5_o : mul_b_i_5_i;
+    wire add_valid_0_2 = ray_box ? valid_i : add_valid_0_i;
+    wire [31:0] add_a_0_2 = ray_box ? box_min_x_i : add_a_0_i;
+    wire [31:0] add_b_0_2 = ray_box ? origin_x_i : add_b_0_i;
+    wire add_subtract_0_2 = ray_box | add_subtract_0_i;
+    wire mul_valid_0_2 = ray_box ? add_0_valid_o : mul_valid_0_i;
+    wire [31:0] mul_a_0_2 = ray_box ? add_0_result_o : mul_a_0_i;
+    wire [31:0] mul_b_0_2 = ray_box ? box_select_inv_0_o : mul_b_0_i;
+    wire add_valid_1_2 = ray_box ? valid_i : add_valid_1_i;
+    wire [31:0] add_a_1_2 = ray_box ? box_min_y_i : add_a_1_i;
+    wire [31:0] add_b_1_2 = ray_box ? origin_y_i : add_b_1_i;
+    wire add_subtract_1_2 = ray_box | add_subtract_1_i;
+    wire mul_valid_1_2 = ray_box ? add_1_valid_o : mul_valid_1_i;
+    wire [31:0] mul_a_1_2 = ray_box ? add_1_result_o : mul_a_1_i;
+    wire [31:0] mul_b_1_2 = ray_box ? box_select_inv_1_o : mul_b_1_i;
+    wire add_valid_2 = ray_box ? valid_i : add_valid_2_i;
+    wire [31:0] add_a_2 = ray_box ? box_min_z_i : add_a_2_i;
+    wire [31:0] add_b_2 = ray_box ? origin_z_i : add_b_2_i;
+    wire add_subtract_2 = ray_box | add_subtract_2_i;
+    wire mul_valid_2 = ray_box ? add_2_valid_o : mul_valid_2_i;
+    wire [31:0] mul_a_2 = ray_box ? add_2_result_o : mul_a_2_i;
+    wire [31:0] mul_b_2 = ray_box ? box_select_inv_2_o : mul_b_2_i;
+    wire add_valid_3 = ray_box ? valid_i : add_valid_3_i;
+    wire [31:0] add_a_3 = ray_box ? box_max_x_i : add_a_3_i;
+    wire [31:0] add_b_3 = ray_box ? origin_x_i : add_b_3_i;
+    wire add_subtract_3 = ray_box | add_subtract_3_i;
+    wire mul_valid_3 = ray_box ? add_3_valid_o : mul_valid_3_i;
+    wire [31:0] mul_a_3 = ray_box ? add_3_result_o : mul_a_3_i;
+    wire [31:0] mul_b_3 = ray_box ? box_select_inv_3_o : mul_b_3_i;
+    wire add_valid_4 = ray_box ? valid_i : add_valid_4_i;
+    wire [31:0] add_a_4 = ray_box ? box_max_y_i : add_a_4_i;
+    wire [31:0] add_b_4 = ray_box ? origin_y_i : add_b_4_i;
+    wire add_subtract_4 = ray_box | add_subtract_4_i;
+    wire mul_valid_4 = ray_box ? add_4_valid_o : mul_valid_4_i;
+    wire [31:0] mul_a_4 = ray_box ? add_4_result_o : mul_a_4_i;
+    wire [31:0] mul_b_4 = ray_box ? box_select_inv_4_o : mul_b_4_i;
+    wire add_valid_5 = ray_box ? valid_i : add_valid_5_i;
+    wire [31:0] add_a_5 = ray_box ? box_max_z_i : add_a_5_i;
+    wire [31:0] add_b_5 = ray_box ? origin_z_i : add_b_5_i;
+    wire add_subtract_5 = ray_box | add_subtract_5_i;
+    wire mul_valid_5 = ray_box ? add_5_valid_o : mul_valid_5_i;
+    wire [31:0] mul_a_5 = ray_box ? add_5_result_o : mul_a_5_i;
+    wire [31:0] mul_b_5 = ray_box ? box_select_inv_5_o : mul_b_5_i;
     wire taken_0 = dual_split | ray_box;
     wire add_valid_0 = dual_split ? node_select_valid_o : add_valid_0_2;
-    wire [31:0] add_a_0 = dual_split ? node_select_plane_o_0_o : add_a_0_2;
-    wire [31:0] add_b_0 = dual_split ? node_select_origin_o_0_o : add_b_0_2;
+    wire [31:0] add_a_0 = dual_split ? node_select_plane_0_o : add_a_0_2;
+    wire [31:0] add_b_0 = dual_split ? node_select_origin_0_o : add_b_0_2;
     wire add_subtract_0 = dual_split | add_subtract_0_2;
     wire mul_valid_0 = dual_split ? add_0_valid_o : mul_valid_0_2;
     wire [31:0] mul_a_0 = dual_split ? add_0_result_o : mul_a_0_2;
-    wire [31:0] mul_b_0 = dual_split ? node_select_inv_o_0_o : mul_b_0_2;
+    wire [31:0] mul_b_0 = dual_split ? node_select_inv_0_o : mul_b_0_2;
     wire add_valid_1 = dual_split ? node_select_valid_o : add_valid_1_2;
-    wire [31:0] add_a_1 = dual_split ? node_select_plane_o_1_o : add_a_1_2;
-    wire [31:0] add_b_1 = dual_split ? node_select_origin_o_1_o : add_b_1_2;
+    wire [31:0] add_a_1 = dual_split ? node_select_plane_1_o : add_a_1_2;
+    wire [31:0] add_b_1 = dual_split ? node_select_origin_1_o : add_b_1_2;
     wire add_subtract_1 = dual_split | add_subtract_1_2;
     wire mul_valid_1 = dual_split ? add_1_valid_o : mul_valid_1_2;
     wire [31:0] mul_a_1 = dual_split ? add_1_result_o : mul_a_1_2;
-    wire [31:0] mul_b_1 = dual_split ? node_select_inv_o_1_o : mul_b_1_2;
+    wire [31:0] mul_b_1 = dual_split ? node_select_inv_1_o : mul_b_1_2;
     wire n174 = ~taken_0;
 
     // Instances
@@ -2237,7 +2237,7 @@ module shared_units (
         .clk_i      (clk_i),
         .en_i       (en_i),
         .valid_i    (add_valid_0),
-        .tag_i      (add_tag_i_0_i),
+        .tag_i      (add_tag_0_i),
         .a_i        (add_a_0),
         .b_i        (add_b_0),
         .subtract_i (add_subtract_0),
@@ -2249,7 +2249,7 @@ module shared_units (
         .clk_i      (clk_i),
         .en_i       (en_i),
         .valid_i    (add_valid_1),
-        .tag_i      (add_tag_i_1_i),
+        .tag_i      (add_tag_1_i),
         .a_i        (add_a_1),
         .b_i        (add_b_1),
         .subtract_i (add_subtract_1),
@@ -2261,7 +2261,7 @@ module shared_units (
         .clk_i      (clk_i),
         .en_i       (en_i),
         .valid_i    (add_valid_2),
-        .tag_i      (add_tag_i_2_i),
+        .tag_i      (add_tag_2_i),
         .a_i        (add_a_2),
         .b_i        (add_b_2),
         .subtract_i (add_subtract_2),
@@ -2273,7 +2273,7 @@ module shared_units (
         .clk_i      (clk_i),
         .en_i       (en_i),
         .valid_i    (add_valid_3),
-        .tag_i      (add_tag_i_3_i),
+        .tag_i      (add_tag_3_i),
         .a_i        (add_a_3),
         .b_i        (add_b_3),
         .subtract_i (add_subtract_3),
@@ -2285,7 +2285,7 @@ module shared_units (
         .clk_i      (clk_i),
         .en_i       (en_i),
         .valid_i    (add_valid_4),
-        .tag_i      (add_tag_i_4_i),
+        .tag_i      (add_tag_4_i),
         .a_i        (add_a_4),
         .b_i        (add_b_4),
         .subtract_i (add_subtract_4),
@@ -2297,7 +2297,7 @@ module shared_units (
         .clk_i      (clk_i),
         .en_i       (en_i),
         .valid_i    (add_valid_5),
-        .tag_i      (add_tag_i_5_i),
+        .tag_i      (add_tag_5_i),
         .a_i        (add_a_5),
         .b_i        (add_b_5),
         .subtract_i (add_subtract_5),
@@ -2308,11 +2308,11 @@ module shared_units (
     fp_add add_6 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (add_valid_i_6_i),
-        .tag_i      (add_tag_i_6_i),
-        .a_i        (add_a_i_6_i),
-        .b_i        (add_b_i_6_i),
-        .subtract_i (add_subtract_i_6_i),
+        .valid_i    (add_valid_6_i),
+        .tag_i      (add_tag_6_i),
+        .a_i        (add_a_6_i),
+        .b_i        (add_b_6_i),
+        .subtract_i (add_subtract_6_i),
         .valid_o    (add_6_valid_o),
         .tag_o      (add_6_tag_o),
         .result_o   (add_6_result_o)
@@ -2320,11 +2320,11 @@ module shared_units (
     fp_add add_7 (
         .clk_i      (clk_i),
         .en_i       (en_i),
-        .valid_i    (add_valid_i_7_i),
-        .tag_i      (add_tag_i_7_i),
-        .a_i        (add_a_i_7_i),
-        .b_i        (add_b_i_7_i),
-        .subtract_i (add_subtract_i_7_i),
+        .valid_i    (add_valid_7_i),
+        .tag_i      (add_tag_7_i),
+        .a_i        (add_a_7_i),
+        .b_i        (add_b_7_i),
+        .subtract_i (add_subtract_7_i),
         .valid_o    (add_7_valid_o),
         .tag_o      (add_7_tag_o),
         .result_o   (add_7_result_o)
@@ -2333,7 +2333,7 @@ module shared_units (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (mul_valid_0),
-        .tag_i    (mul_tag_i_0_i),
+        .tag_i    (mul_tag_0_i),
         .a_i      (mul_a_0),
         .b_i      (mul_b_0),
         .valid_o  (mul_0_valid_o),
@@ -2344,7 +2344,7 @@ module shared_units (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (mul_valid_1),
-        .tag_i    (mul_tag_i_1_i),
+        .tag_i    (mul_tag_1_i),
         .a_i      (mul_a_1),
         .b_i      (mul_b_1),
         .valid_o  (mul_1_valid_o),
@@ -2355,7 +2355,7 @@ module shared_units (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (mul_valid_2),
-        .tag_i    (mul_tag_i_2_i),
+        .tag_i    (mul_tag_2_i),
         .a_i      (mul_a_2),
         .b_i      (mul_b_2),
         .valid_o  (mul_2_valid_o),
@@ -2366,7 +2366,7 @@ module shared_units (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (mul_valid_3),
-        .tag_i    (mul_tag_i_3_i),
+        .tag_i    (mul_tag_3_i),
         .a_i      (mul_a_3),
         .b_i      (mul_b_3),
         .valid_o  (mul_3_valid_o),
@@ -2377,7 +2377,7 @@ module shared_units (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (mul_valid_4),
-        .tag_i    (mul_tag_i_4_i),
+        .tag_i    (mul_tag_4_i),
         .a_i      (mul_a_4),
         .b_i      (mul_b_4),
         .valid_o  (mul_4_valid_o),
@@ -2388,7 +2388,7 @@ module shared_units (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .valid_i  (mul_valid_5),
-        .tag_i    (mul_tag_i_5_i),
+        .tag_i    (mul_tag_5_i),
         .a_i      (mul_a_5),
         .b_i      (mul_b_5),
         .valid_o  (mul_5_valid_o),
@@ -2398,10 +2398,10 @@ module shared_units (
     fp_mul mul_6 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (mul_valid_i_6_i),
-        .tag_i    (mul_tag_i_6_i),
-        .a_i      (mul_a_i_6_i),
-        .b_i      (mul_b_i_6_i),
+        .valid_i  (mul_valid_6_i),
+        .tag_i    (mul_tag_6_i),
+        .a_i      (mul_a_6_i),
+        .b_i      (mul_b_6_i),
         .valid_o  (mul_6_valid_o),
         .tag_o    (mul_6_tag_o),
         .result_o (mul_6_result_o)
@@ -2409,10 +2409,10 @@ module shared_units (
     fp_mul mul_7 (
         .clk_i    (clk_i),
         .en_i     (en_i),
-        .valid_i  (mul_valid_i_7_i),
-        .tag_i    (mul_tag_i_7_i),
-        .a_i      (mul_a_i_7_i),
-        .b_i      (mul_b_i_7_i),
+        .valid_i  (mul_valid_7_i),
+        .tag_i    (mul_tag_7_i),
+        .a_i      (mul_a_7_i),
+        .b_i      (mul_b_7_i),
         .valid_o  (mul_7_valid_o),
         .tag_o    (mul_7_tag_o),
         .result_o (mul_7_result_o)
@@ -2428,12 +2428,12 @@ module shared_units (
         .inv_exit_z_i  (inv_exit_z_i),
         .t_min_i       (t_min_i),
         .t_max_i       (t_max_i),
-        .inv_o_0_o     (box_select_inv_o_0_o),
-        .inv_o_1_o     (box_select_inv_o_1_o),
-        .inv_o_2_o     (box_select_inv_o_2_o),
-        .inv_o_3_o     (box_select_inv_o_3_o),
-        .inv_o_4_o     (box_select_inv_o_4_o),
-        .inv_o_5_o     (box_select_inv_o_5_o),
+        .inv_0_o       (box_select_inv_0_o),
+        .inv_1_o       (box_select_inv_1_o),
+        .inv_2_o       (box_select_inv_2_o),
+        .inv_3_o       (box_select_inv_3_o),
+        .inv_4_o       (box_select_inv_4_o),
+        .inv_5_o       (box_select_inv_5_o),
         .t_min_o       (box_select_t_min_o),
         .t_max_o       (box_select_t_max_o)
     );
@@ -2441,12 +2441,12 @@ module shared_units (
         .clk_i     (clk_i),
         .en_i      (en_i),
         .valid_i   (mul_0_valid_o & ray_box),
-        .t_i_0_i   (mul_0_result_o),
-        .t_i_1_i   (mul_1_result_o),
-        .t_i_2_i   (mul_2_result_o),
-        .t_i_3_i   (mul_3_result_o),
-        .t_i_4_i   (mul_4_result_o),
-        .t_i_5_i   (mul_5_result_o),
+        .t_0_i     (mul_0_result_o),
+        .t_1_i     (mul_1_result_o),
+        .t_2_i     (mul_2_result_o),
+        .t_3_i     (mul_3_result_o),
+        .t_4_i     (mul_4_result_o),
+        .t_5_i     (mul_5_result_o),
         .t_min_i   (box_select_t_min_o),
         .t_max_i   (box_select_t_max_o),
         .valid_o   (box_fold_valid_o),
@@ -2472,17 +2472,17 @@ module shared_units (
         .t_min_i       (t_min_i),
         .t_max_i       (t_max_i),
         .valid_o       (node_select_valid_o),
-        .plane_o_0_o   (node_select_plane_o_0_o),
-        .plane_o_1_o   (node_select_plane_o_1_o),
-        .origin_o_0_o  (node_select_origin_o_0_o),
-        .origin_o_1_o  (node_select_origin_o_1_o),
-        .inv_o_0_o     (node_select_inv_o_0_o),
-        .inv_o_1_o     (node_select_inv_o_1_o),
+        .plane_0_o     (node_select_plane_0_o),
+        .plane_1_o     (node_select_plane_1_o),
+        .origin_0_o    (node_select_origin_0_o),
+        .origin_1_o    (node_select_origin_1_o),
+        .inv_0_o       (node_select_inv_0_o),
+        .inv_1_o       (node_select_inv_1_o),
         .t_min_o       (node_select_t_min_o),
         .t_max_o       (node_select_t_max_o),
         .header_o      (node_select_header_o),
-        .exit_o_0_o    (node_select_exit_o_0_o),
-        .exit_o_1_o    (node_select_exit_o_1_o)
+        .exit_0_o      (node_select_exit_0_o),
+        .exit_1_o      (node_select_exit_1_o)
     );
     dual_split_fold node_fold (
         .clk_i         (clk_i),
@@ -2490,8 +2490,8 @@ module shared_units (
         .valid_i       (mul_0_valid_o & dual_split),
         .t_0_i         (mul_0_result_o),
         .t_1_i         (mul_1_result_o),
-        .exit_0_i      (node_select_exit_o_0_o),
-        .exit_1_i      (node_select_exit_o_1_o),
+        .exit_0_i      (node_select_exit_0_o),
+        .exit_1_i      (node_select_exit_1_o),
         .header_i      (node_select_header_o),
         .t_min_i       (node_select_t_min_o),
         .t_max_i       (node_select_t_max_o),
@@ -2512,54 +2512,54 @@ module shared_units (
     );
 
     // Outputs
-    assign add_valid_o_0_o = add_0_valid_o & n174;
-    assign add_valid_o_1_o = add_1_valid_o & n174;
-    assign add_valid_o_2_o = add_2_valid_o & n87;
-    assign add_valid_o_3_o = add_3_valid_o & n87;
-    assign add_valid_o_4_o = add_4_valid_o & n87;
-    assign add_valid_o_5_o = add_5_valid_o & n87;
-    assign add_valid_o_6_o = add_6_valid_o;
-    assign add_valid_o_7_o = add_7_valid_o;
-    assign add_tag_o_0_o = add_0_tag_o;
-    assign add_tag_o_1_o = add_1_tag_o;
-    assign add_tag_o_2_o = add_2_tag_o;
-    assign add_tag_o_3_o = add_3_tag_o;
-    assign add_tag_o_4_o = add_4_tag_o;
-    assign add_tag_o_5_o = add_5_tag_o;
-    assign add_tag_o_6_o = add_6_tag_o;
-    assign add_tag_o_7_o = add_7_tag_o;
-    assign add_result_o_0_o = add_0_result_o;
-    assign add_result_o_1_o = add_1_result_o;
-    assign add_result_o_2_o = add_2_result_o;
-    assign add_result_o_3_o = add_3_result_o;
-    assign add_result_o_4_o = add_4_result_o;
-    assign add_result_o_5_o = add_5_result_o;
-    assign add_result_o_6_o = add_6_result_o;
-    assign add_result_o_7_o = add_7_result_o;
-    assign mul_valid_o_0_o = mul_0_valid_o & n174;
-    assign mul_valid_o_1_o = mul_1_valid_o & n174;
-    assign mul_valid_o_2_o = mul_2_valid_o & n87;
-    assign mul_valid_o_3_o = mul_3_valid_o & n87;
-    assign mul_valid_o_4_o = mul_4_valid_o & n87;
-    assign mul_valid_o_5_o = mul_5_valid_o & n87;
-    assign mul_valid_o_6_o = mul_6_valid_o;
-    assign mul_valid_o_7_o = mul_7_valid_o;
-    assign mul_tag_o_0_o = mul_0_tag_o;
-    assign mul_tag_o_1_o = mul_1_tag_o;
-    assign mul_tag_o_2_o = mul_2_tag_o;
-    assign mul_tag_o_3_o = mul_3_tag_o;
-    assign mul_tag_o_4_o = mul_4_tag_o;
-    assign mul_tag_o_5_o = mul_5_tag_o;
-    assign mul_tag_o_6_o = mul_6_tag_o;
-    assign mul_tag_o_7_o = mul_7_tag_o;
-    assign mul_result_o_0_o = mul_0_result_o;
-    assign mul_result_o_1_o = mul_1_result_o;
-    assign mul_result_o_2_o = mul_2_result_o;
-    assign mul_result_o_3_o = mul_3_result_o;
-    assign mul_result_o_4_o = mul_4_result_o;
-    assign mul_result_o_5_o = mul_5_result_o;
-    assign mul_result_o_6_o = mul_6_result_o;
-    assign mul_result_o_7_o = mul_7_result_o;
+    assign add_valid_0_o = add_0_valid_o & n174;
+    assign add_valid_1_o = add_1_valid_o & n174;
+    assign add_valid_2_o = add_2_valid_o & n87;
+    assign add_valid_3_o = add_3_valid_o & n87;
+    assign add_valid_4_o = add_4_valid_o & n87;
+    assign add_valid_5_o = add_5_valid_o & n87;
+    assign add_valid_6_o = add_6_valid_o;
+    assign add_valid_7_o = add_7_valid_o;
+    assign add_tag_0_o = add_0_tag_o;
+    assign add_tag_1_o = add_1_tag_o;
+    assign add_tag_2_o = add_2_tag_o;
+    assign add_tag_3_o = add_3_tag_o;
+    assign add_tag_4_o = add_4_tag_o;
+    assign add_tag_5_o = add_5_tag_o;
+    assign add_tag_6_o = add_6_tag_o;
+    assign add_tag_7_o = add_7_tag_o;
+    assign add_result_0_o = add_0_result_o;
+    assign add_result_1_o = add_1_result_o;
+    assign add_result_2_o = add_2_result_o;
+    assign add_result_3_o = add_3_result_o;
+    assign add_result_4_o = add_4_result_o;
+    assign add_result_5_o = add_5_result_o;
+    assign add_result_6_o = add_6_result_o;
+    assign add_result_7_o = add_7_result_o;
+    assign mul_valid_0_o = mul_0_valid_o & n174;
+    assign mul_valid_1_o = mul_1_valid_o & n174;
+    assign mul_valid_2_o = mul_2_valid_o & n87;
+    assign mul_valid_3_o = mul_3_valid_o & n87;
+    assign mul_valid_4_o = mul_4_valid_o & n87;
+    assign mul_valid_5_o = mul_5_valid_o & n87;
+    assign mul_valid_6_o = mul_6_valid_o;
+    assign mul_valid_7_o = mul_7_valid_o;
+    assign mul_tag_0_o = mul_0_tag_o;
+    assign mul_tag_1_o = mul_1_tag_o;
+    assign mul_tag_2_o = mul_2_tag_o;
+    assign mul_tag_3_o = mul_3_tag_o;
+    assign mul_tag_4_o = mul_4_tag_o;
+    assign mul_tag_5_o = mul_5_tag_o;
+    assign mul_tag_6_o = mul_6_tag_o;
+    assign mul_tag_7_o = mul_7_tag_o;
+    assign mul_result_0_o = mul_0_result_o;
+    assign mul_result_1_o = mul_1_result_o;
+    assign mul_result_2_o = mul_2_result_o;
+    assign mul_result_3_o = mul_3_result_o;
+    assign mul_result_4_o = mul_4_result_o;
+    assign mul_result_5_o = mul_5_result_o;
+    assign mul_result_6_o = mul_6_result_o;
+    assign mul_result_7_o = mul_7_result_o;
     assign tag_o = tag_q_o;
     assign node_valid_o = node_fold_valid_o;
     assign code_o = node_fold_code_o;
