@@ -3,7 +3,7 @@
 use super::dram::{Dram, Read, Requester};
 use super::l1::Access;
 use super::l2::L2;
-use super::outstanding::Arrival;
+use super::outstanding::UNKNOWN;
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
 use super::tm::{QUANTUM, Request, Tm};
 use super::work::{Tape, Work};
@@ -254,25 +254,25 @@ impl<W: Work> Chip<'_, W> {
             tm.l1.stored(slot, request.address);
             return tm.served(program, request, now + 1);
         }
-        let hit = l2.hit(line);
+        let hit = l2.hit(now, line);
+        let from_l2 = self.machine.l2.latency_cycles + self.machine.l1.latency_cycles;
         let arrival = if hit {
-            let filled = now + self.machine.l2.latency_cycles;
-            Arrival { filled, usable: filled + self.machine.l1.latency_cycles }
+            now + from_l2
         } else {
             match self.dram.read(now, line, Requester { tm: number as u16 }) {
                 Read::Refused => return tm.refused(request),
-                Read::Queued => Arrival::NOT_KNOWN,
+                Read::Queued => UNKNOWN,
                 Read::Arrives(cycle) => {
                     l2.arrives(line, cycle);
-                    Arrival::from_memory(cycle)
+                    cycle + from_l2
                 }
             }
         };
         l2.take(slot, request.address);
         l2.counts.loads += 1;
         l2.counts.hits += u64::from(hit);
-        let ready = tm.taken(program, request, slot, arrival);
-        tm.served(program, request, ready);
+        tm.taken(program, request, slot, arrival);
+        tm.served(program, request, arrival);
     }
 
     fn counts(&mut self) -> Counts {

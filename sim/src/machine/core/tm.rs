@@ -10,7 +10,7 @@
 //! that nothing asked for within a quantum arrives from there within it.
 
 use super::l1::{Access, L1, Target};
-use super::outstanding::{Arrival, UNKNOWN, Waiter};
+use super::outstanding::{UNKNOWN, Waiter};
 use super::stats::ThreadCycles;
 use crate::machine::description::MachineDescription;
 use crate::machine::program::{
@@ -19,7 +19,7 @@ use crate::machine::program::{
 use crate::unit_costs::Unit;
 
 /// Most cycles of a quantum.
-pub const QUANTUM: usize = 8;
+pub const QUANTUM: usize = 4;
 /// Entries of a scoreboard in memory; a power of two, so that no index needs a check.
 const ENTRIES: usize = SCOREBOARD.next_power_of_two();
 /// Pools in memory.
@@ -167,7 +167,7 @@ impl Tm {
     /// It is known now that `line` arrives in cycle `arrival`.
     pub fn arrives(&mut self, line: u32, arrival: u32) {
         let (threads, cycles) = (&mut self.threads, &mut self.cycles);
-        self.l1.arrives(line, Arrival::from_memory(arrival), |Waiter { thread, register }| {
+        self.l1.arrives(line, arrival, |Waiter { thread, register }| {
             let thread = &mut threads[usize::from(thread)];
             thread.ready[usize::from(register) % ENTRIES] = arrival;
             if thread.state == State::Parked {
@@ -346,12 +346,12 @@ impl Tm {
         self.l1.load_now(request.cycle, slot, request.address, target)
     }
 
-    /// The chip has taken the load of a request. Returns when its result can be used.
-    pub fn taken(&mut self, program: &Program, request: Request, slot: usize, arrival: Arrival) -> u32 {
+    /// The chip has taken the load of a request, whose line arrives in cycle `arrival`.
+    pub fn taken(&mut self, program: &Program, request: Request, slot: usize, arrival: u32) {
         let (thread, op) = self.asking(program, request);
         let registers = thread.targets(program, op, request.address, self.line_words);
         let target = Target { thread: request.thread, registers };
-        self.l1.taken(request.cycle, slot, request.address, arrival, target)
+        self.l1.taken(request.cycle, slot, request.address, arrival, target);
     }
 
     fn asking<'p>(&self, program: &'p Program, request: Request) -> (&Thread, &'p MicroOp) {

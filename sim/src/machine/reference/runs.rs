@@ -248,10 +248,13 @@ impl ReferenceRuns {
                 triangle != expected || (expected >= 0 && t != expected_t)
             })
             .count() as u64;
-        let start = std::time::Instant::now();
+        let start = cpu_time::ThreadTime::now();
         let counts = simulate(&machine, &program, &work, |_| {})?;
         let seconds = start.elapsed().as_secs_f64();
         let results = Results::new(&machine, None, &program, &counts)?;
+        if std::env::var_os("DBG").is_some() {
+            eprintln!("DBG {} {} {} {:?} {:?} {:?} {:?}", run.set, run.variant, run.tms, results.thread_cycles, counts.l1, counts.l2, counts.dram);
+        }
         Ok(compare(run, &results, result_mismatches, rays.rays.len() as u64, seconds))
     }
 }
