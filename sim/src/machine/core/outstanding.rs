@@ -81,9 +81,7 @@ impl Outstanding {
     /// Removes `line` if it has arrived by cycle `now`; if not, it has been asked for again since.
     #[inline]
     pub fn remove_arrived(&mut self, line: u32, now: u32) {
-        if let Some(at) =
-            self.entries.iter().position(|entry| entry.line == line && entry.arrival <= now)
-        {
+        if let Some(at) = self.entries.iter().position(|entry| entry.line == line && entry.arrival <= now) {
             self.entries.swap_remove(at);
         }
     }
