@@ -68,7 +68,10 @@ fn reference_run(bencher: Bencher, tms: u32) {
     };
     let reference = ReferenceRuns::read(&data.join("simtrax")).expect("the folder holds the runs");
     let is_it = |tms: u32| {
-        reference.runs.iter().find(|run| run.set == "bunny_primary" && run.variant.is_empty() && run.tms == tms)
+        reference
+            .runs
+            .iter()
+            .find(|run| run.set == "bunny_primary" && run.variant.is_empty() && run.tms == tms)
     };
     let run = is_it(tms).expect("the table has the run");
     bencher.counter(ItemsCount::new(16_384u32)).bench_local(|| reference.validate(run).expect("it ends"));

@@ -19,7 +19,6 @@ use rayon::prelude::*;
 use row::Row;
 use scenes::Scene;
 use serde::Serialize;
-use sim::estimate::Method;
 use sim::machine::frame::{FrameMachine, frame};
 use sim::machine::results::Results;
 use std::collections::BTreeMap;
@@ -98,10 +97,11 @@ fn simulate_scene(
     runs: &mut BTreeMap<String, Row>,
     artifacts: &mut Artifacts,
 ) -> anyhow::Result<()> {
+    let method = args.machine.pipeline_cost.method();
     let mut open = vec![];
     for job in Job::of_scene(name, preset) {
         let machine = job.machine(&args.machine.machine, &args.machine.settings)?;
-        let machine = FrameMachine::new(&machine, job.structure, Method::Published)?;
+        let machine = FrameMachine::new(&machine, job.structure, method)?;
         let file = job.file(name, &args.preset);
         let fingerprint = row::fingerprint(&machine, args.quality.quality, global.seed, preset);
         if runs.get(&file).is_none_or(|row| row.fingerprint != fingerprint) {
