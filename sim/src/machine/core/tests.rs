@@ -102,6 +102,21 @@ fn loads_take_the_latency_of_where_the_line_is() {
 }
 
 #[test]
+fn a_line_that_is_read_while_everybody_waits_is_not_missed() {
+    // Line 4 is in the second-level cache only, its row is open. Line 5 is read from that row, and while line 4 is served
+    // the memory gives the command. Then the only thread waits for line 5, and nothing else is due before the refresh.
+    let set_up = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3\nLOAD $6, $4, 8192 #: data\naddu $5, $6, $6\n";
+    let both = format!("{set_up}LOAD $7, $4, 16 #: data\nLOAD $8, $4, 1 #: data\naddu $5, $7, $8");
+    let m = machine(&[]);
+    let read = (m.dram.timing.read_latency + m.dram.timing.burst) / m.dram.clocks_per_cycle;
+    for nops in 0..8 {
+        let nops = "nop\n".repeat(nops);
+        let from = cycles(&[], &format!("{nops}{set_up}"));
+        assert_eq!(cycles(&[], &format!("{nops}{both}")) - from, read + 1, "{nops}");
+    }
+}
+
+#[test]
 fn banks_units_and_fetches_serve_as_many_a_cycle_as_there_are() {
     let slower = |settings: &[&str], body: &str, address: fn(u32) -> u32| {
         let settings = [&["tm.threads=4", "icache.fetches_per_bank=4"], settings].concat();
