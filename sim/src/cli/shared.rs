@@ -1,6 +1,6 @@
 //! What several commands take: a scene, a view, a structure, a machine.
 
-use super::values::{mode, quality, size, structure, vector};
+use super::values::{PipelineCostMethod, mode, pipeline_cost, quality, size, structure, vector};
 use clap::Args;
 use golden::Mode;
 use golden::build::Quality;
@@ -81,4 +81,8 @@ pub struct MachineArgs {
     /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub settings: Vec<String>,
+    /// Area and energy of the pipelines: published unit costs on our counts with our glue; our netlist in the embedded library
+    /// (45 nm), or the same scaled to 65 nm.
+    #[arg(long, default_value = "published", value_name = "METHOD", value_parser = pipeline_cost())]
+    pub pipeline_cost: PipelineCostMethod,
 }

@@ -7,6 +7,7 @@ use golden::build::Quality;
 use golden::render::Test;
 use golden::structure::StructureKind;
 use hdl::catalogue::{StandardFormat, Top};
+use sim::estimate::{Method, embedded_library};
 use sim::machine::frame::MachineStructure;
 use sim::picture::heatmap::Quantity;
 
@@ -39,6 +40,38 @@ pub fn row() -> impl TypedValueParser<Value = TreeRow> {
 
 pub fn machine_structure() -> impl TypedValueParser<Value = MachineStructure> {
     one_of(MachineStructure::ALL, MachineStructure::name)
+}
+
+/// How the cost of a pipeline is found.
+#[derive(Clone, Copy, Debug)]
+pub enum PipelineCostMethod {
+    Published,
+    Netlist,
+    Scaled,
+}
+
+impl PipelineCostMethod {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Published => "published",
+            Self::Netlist => "netlist",
+            Self::Scaled => "scaled",
+        }
+    }
+
+    /// The method with the embedded library.
+    pub fn method(self) -> Method<'static> {
+        match self {
+            Self::Published => Method::Published,
+            Self::Netlist => Method::Netlist(embedded_library()),
+            Self::Scaled => Method::Scaled(embedded_library()),
+        }
+    }
+}
+
+pub fn pipeline_cost() -> impl TypedValueParser<Value = PipelineCostMethod> {
+    use PipelineCostMethod::{Netlist, Published, Scaled};
+    one_of([Published, Netlist, Scaled], PipelineCostMethod::name)
 }
 
 pub fn test() -> impl TypedValueParser<Value = Test> {

@@ -7,11 +7,10 @@ use golden::render::RenderOptions;
 use rayon::prelude::*;
 use scenes::output::write_file;
 use serde::Serialize;
-use sim::estimate::Method;
 use sim::machine::description::MachineDescription;
 use sim::machine::frame::{FrameMachine, frame};
 use sim::machine::reference::{ReferenceRuns, ValidatedRun};
-use sim::machine::results::Results;
+use sim::machine::results::{Quantity, Results};
 use std::path::Path;
 use std::time::Instant;
 
@@ -43,6 +42,8 @@ struct Document {
     triangle_tests: u64,
     #[serde(flatten)]
     results: Results,
+    /// The results again, each with its unit and meaning.
+    quantities: Vec<Quantity>,
     /// Of the host; the only numbers here that differ from run to run.
     seconds: f64,
     simulated_rays_per_second: f64,
@@ -57,7 +58,7 @@ fn simulate(
     if let Some(csv) = &args.csv {
         check_writable("--csv", csv, global.force)?;
     }
-    let set_up = FrameMachine::new(machine, args.structure, Method::Published)?;
+    let set_up = FrameMachine::new(machine, args.structure, args.machine.pipeline_cost.method())?;
     let scene = input::scene(&SceneArgs { scene: scene.to_owned(), detail: args.detail }, global)?;
     let built = Built::new(&scene, args.quality.quality)?;
     let (structure, _) = built.convert(args.structure.kind())?;
@@ -88,6 +89,7 @@ fn simulate(
         rays: frame.rays,
         exact_triangle_tests: frame.exact_tests,
         triangle_tests: frame.triangle_tests,
+        quantities: results.quantities(frame.rays),
         results,
         seconds,
         simulated_rays_per_second: frame.rays as f64 / seconds,
@@ -111,10 +113,10 @@ fn text(d: &Document) -> String {
         d.results.frame_ms,
         d.results.energy_mj.total
     );
-    let rows = d.results.quantities(d.rays).into_iter();
+    let rows = d.quantities.iter();
     text += &table(
         ["quantity", "value", "unit", "meaning"],
-        rows.map(|q| [q.name, fixed(q.value, 4), q.unit.to_owned(), q.meaning.to_owned()]),
+        rows.map(|q| [q.name.clone(), fixed(q.value, 4), q.unit.to_owned(), q.meaning.to_owned()]),
     );
     text += &format!(
         "\nsimulated {:.0} rays/s; pipeline energy: {}\n",

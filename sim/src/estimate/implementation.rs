@@ -155,9 +155,10 @@ impl<'l> Implementation<'l> {
         gates + self.mapped.registers.len() as f64 * self.library.flip_flop.leakage_nw
     }
 
-    /// Energy of an operation of a stream, which has the values of all inputs in each cycle, an operation each.
+    /// Energy of an operation of a stream without glitches, and the operations that it is the mean of; see
+    /// [`Implementation::energy`].
     #[must_use]
-    pub fn energy(&self, stream: &[Vec<u128>]) -> EnergyReport {
+    pub fn zero_delay_energy(&self, stream: &[Vec<u128>]) -> (Breakdown, u64) {
         let length = stream.len() / LANES_PER_WORD;
         let lanes: Vec<Vec<Vec<u128>>> = if length > 2 * FILL_CYCLES {
             stream.chunks_exact(length).take(LANES_PER_WORD).map(<[Vec<u128>]>::to_vec).collect()
@@ -168,7 +169,15 @@ impl<'l> Implementation<'l> {
         let activity = activity(aig, inputs, &lanes, FILL_CYCLES);
         let cycles = activity.cycles.max(1) as f64;
         let by_node = |net: u32| activity.changes[self.mapped.literals[net as usize].node()] as f64 / cycles;
-        let zero_delay = self.spread(&energy::energy(&self.mapped, self.library, &self.timing, by_node));
+        let energy = energy::energy(&self.mapped, self.library, &self.timing, by_node);
+        (self.spread(&energy), activity.cycles)
+    }
+
+    /// Energy of an operation of a stream, which has the values of all inputs in each cycle, an operation each.
+    #[must_use]
+    pub fn energy(&self, stream: &[Vec<u128>]) -> EnergyReport {
+        let (zero_delay, operations) = self.zero_delay_energy(stream);
+        let (aig, inputs) = (&self.blasted.aig, &self.blasted.inputs);
         let windows: Vec<(Vec<u64>, u64)> = (0..GLITCH_WINDOWS)
             .into_par_iter()
             .map(|window| {
@@ -190,7 +199,7 @@ impl<'l> Implementation<'l> {
         EnergyReport {
             zero_delay,
             with_glitches,
-            operations: activity.cycles,
+            operations,
             glitch_operations,
             glitch_error: relative_standard_error(&totals),
         }

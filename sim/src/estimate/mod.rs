@@ -19,7 +19,8 @@ pub use paper::PaperFigures;
 pub use scaling::{Scaling, TARGET_NODE_NM, TARGET_VOLTAGE_V};
 pub use workload::{NodeType, Workload};
 
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, OnceLock};
 
 use hdl::catalogue::{StandardFormat, Top};
 use hdl::netlist::{ElaborateError, inventory};
@@ -84,14 +85,24 @@ pub fn pipeline_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateE
     if let Top::RayBoxX2 | Top::RayBoxX4 | Top::RayBoxX8 = top {
         return parallel_cost(top, method);
     }
+    // Without a choice of library, the costs of a top are always the same: mapping and simulating it takes seconds.
+    static PUBLISHED: Mutex<BTreeMap<Top, PipelineCost>> = Mutex::new(BTreeMap::new());
+    let known = || PUBLISHED.lock().expect("no panic while it was held");
+    if let (Method::Published, Some(cost)) = (method, known().get(&top)) {
+        return Ok(cost.clone());
+    }
     let workload = built_in()?;
     let library = match method {
         Method::Published => embedded_library(),
         Method::Netlist(library) | Method::Scaled(library) => library,
     };
     let implementation = Implementation::new(top, library, crate::gates::words::Structures::default())?;
-    let energy = implementation.energy(&workload.streams(&implementation)?);
-    cost(&implementation, &energy.zero_delay, method)
+    let (energy, _) = implementation.zero_delay_energy(&workload.streams(&implementation)?);
+    let cost = cost(&implementation, &energy, method)?;
+    if let Method::Published = method {
+        known().insert(top, cost.clone());
+    }
+    Ok(cost)
 }
 
 /// The cost of a parallel form: that of one ray-box pipeline times the number that it has, by the adders of both.
@@ -148,7 +159,8 @@ pub fn cost(
 }
 
 /// The embedded library, made once.
-fn embedded_library() -> &'static Library {
+/// The library that needs no file.
+pub fn embedded_library() -> &'static Library {
     static LIBRARY: OnceLock<Library> = OnceLock::new();
     LIBRARY.get_or_init(embedded)
 }

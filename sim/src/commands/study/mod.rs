@@ -1,81 +1,42 @@
 //! `dualsplit study`: the paper's study, all scenes, structures and tests on the machine.
 
 mod comparison;
+mod jobs;
 mod plots;
 mod row;
+mod text;
 
 use crate::artifacts::Artifacts;
 use crate::cli::{Global, StudyArgs};
-use crate::console::{Report, fixed, progress, table};
+use crate::console::{Report, progress};
 use crate::input::{Built, display};
 use anyhow::{Context, bail};
 use comparison::{Claim, compare};
-use golden::render::{RenderOptions, Test};
+use golden::render::RenderOptions;
 use golden::structure::{Structure, StructureKind};
+use jobs::{Job, Preset, Series};
 use rayon::prelude::*;
 use row::Row;
 use scenes::Scene;
 use serde::Serialize;
-use sim::estimate::Method;
-use sim::machine::description::MachineDescription;
-use sim::machine::frame::{FrameMachine, MachineStructure, frame};
+use sim::machine::frame::{FrameMachine, frame};
 use sim::machine::results::Results;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-
-/// The size of a study.
-struct Preset {
-    /// Fraction of the scenes' triangles.
-    detail: f64,
-    width: u32,
-    height: u32,
-    /// Partitions and multiprocessors per partition.
-    chip: [u32; 2],
-    /// Multiprocessors of the scaling runs, in one partition each four.
-    scaling_tms: &'static [u32],
-}
-
-fn preset(name: &str) -> Preset {
-    match name {
-        "paper" => Preset {
-            detail: 1.0,
-            width: 256,
-            height: 256,
-            chip: [4, 8],
-            scaling_tms: &[1, 2, 4, 8, 16, 32, 64],
-        },
-        _ => Preset { detail: 0.02, width: 64, height: 64, chip: [1, 4], scaling_tms: &[1, 2, 4, 8] },
-    }
-}
-
-/// The scene, test and structures of the scaling runs.
-const SCALING_SCENE: &str = "atrium";
-const SCALING_TEST: Test = Test::Path;
-const SCALING_STRUCTURES: [MachineStructure; 4] =
-    [MachineStructure::Dst, MachineStructure::Bvh2, MachineStructure::Bvh4, MachineStructure::Bvh8];
 
 #[derive(Serialize)]
 struct Document {
     preset: String,
     rows: Vec<Row>,
     scaling: Vec<Row>,
+    load_width: Vec<Row>,
     comparison: Vec<Claim>,
     artifacts: Vec<String>,
 }
 
-/// One simulation.
-#[derive(Clone, Copy)]
-struct Job {
-    structure: MachineStructure,
-    test: Test,
-    /// Partitions and multiprocessors per partition.
-    chip: [u32; 2],
-    scaling: bool,
-}
-
 pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
-    let preset = preset(&args.preset);
+    let preset = Preset::find(&args.preset)?;
     let names: Vec<&str> = scenes::procedural::CATALOGUE.iter().map(|entry| entry.name).collect();
     let chosen: Vec<&str> = match &args.scene {
         Some(scene) => match names.iter().find(|name| **name == scene.as_str()) {
@@ -87,24 +48,26 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
     let mut artifacts = Artifacts::create(&args.out, global.force)?;
     let mut runs = finished(&args.out)?;
     for scene in chosen {
-        simulate_scene(scene, &preset, args, global, &mut runs, &mut artifacts)?;
+        simulate_scene(scene, preset, args, global, &mut runs, &mut artifacts)?;
     }
     for (name, row) in &runs {
         artifacts.write(name, serde_json::to_string_pretty(row)?.as_bytes())?;
     }
-    let of_preset = runs.into_values().filter(|row| row.preset == args.preset);
-    let (scaling, rows): (Vec<Row>, Vec<Row>) = of_preset.partition(|row| row.scaling);
+    let all: Vec<Row> = runs.into_values().filter(|row| row.preset == args.preset).collect();
+    let of = |series| row::of_series(&all, series);
+    let (rows, scaling, load_width) = (of(Series::Main), of(Series::Scaling), of(Series::LoadWidth));
     let comparison = compare(&rows, &scaling);
-    artifacts.write("study.csv", row::csv(rows.iter().chain(&scaling))?.as_bytes())?;
+    artifacts.write("study.csv", row::csv(all.iter())?.as_bytes())?;
     artifacts.write("comparison.csv", comparison::csv(&comparison)?.as_bytes())?;
-    for (name, svg) in plots::all(&rows, &scaling) {
+    for (name, svg) in plots::all(&rows, &scaling, &load_width) {
         artifacts.write(&name, svg.as_bytes())?;
     }
-    let mut document = Document { preset: args.preset.clone(), rows, scaling, comparison, artifacts: vec![] };
+    let mut document =
+        Document { preset: args.preset.clone(), rows, scaling, load_width, comparison, artifacts: vec![] };
     let json = serde_json::to_string_pretty(&document)?;
     artifacts.write("study.json", json.as_bytes())?;
     document.artifacts = artifacts.finish()?.iter().map(|path| display(path)).collect();
-    let text = text(&document);
+    let text = text::tables(&document);
     Ok(Report::new(&document, text))
 }
 
@@ -134,31 +97,13 @@ fn simulate_scene(
     runs: &mut BTreeMap<String, Row>,
     artifacts: &mut Artifacts,
 ) -> anyhow::Result<()> {
-    let mut jobs = vec![];
-    for test in Test::ALL {
-        for structure in MachineStructure::ALL {
-            jobs.push(Job { structure, test, chip: preset.chip, scaling: false });
-        }
-    }
-    if name == SCALING_SCENE {
-        for &tms in preset.scaling_tms {
-            for structure in SCALING_STRUCTURES {
-                let chip = [tms.div_ceil(8), tms.min(8)];
-                jobs.push(Job { structure, test: SCALING_TEST, chip, scaling: true });
-            }
-        }
-    }
-    let machine = |job: &Job| {
-        let mut settings = args.machine.settings.clone();
-        settings.push(format!("chip.l2_partitions={}", job.chip[0]));
-        settings.push(format!("chip.tms_per_partition={}", job.chip[1]));
-        MachineDescription::load(&args.machine.machine, &settings)
-    };
+    let method = args.machine.pipeline_cost.method();
     let mut open = vec![];
-    for job in jobs {
-        let machine = machine(&job)?;
-        let file = file_name(name, &args.preset, &job);
-        let fingerprint = row::fingerprint(&machine, global.seed, preset.detail, preset.width, preset.height);
+    for job in Job::of_scene(name, preset) {
+        let machine = job.machine(&args.machine.machine, &args.machine.settings)?;
+        let machine = FrameMachine::new(&machine, job.structure, method)?;
+        let file = job.file(name, &args.preset);
+        let fingerprint = row::fingerprint(&machine, args.quality.quality, global.seed, preset);
         if runs.get(&file).is_none_or(|row| row.fingerprint != fingerprint) {
             open.push((job, machine, file, fingerprint));
         }
@@ -192,12 +137,6 @@ fn simulate_scene(
     Ok(())
 }
 
-fn file_name(scene: &str, preset: &str, job: &Job) -> String {
-    let scaling = if job.scaling { format!("-{}tms", job.chip[0] * job.chip[1]) } else { String::new() };
-    let structure = job.structure.name().replace('+', "p");
-    format!("runs/{preset}-{scene}-{}-{structure}{scaling}.json", job.test)
-}
-
 #[allow(clippy::too_many_arguments, reason = "everything that a run depends on")]
 fn simulate_one(
     scene: &Scene,
@@ -206,14 +145,13 @@ fn simulate_one(
     args: &StudyArgs,
     global: &Global,
     job: &Job,
-    machine: &MachineDescription,
+    set_up: &FrameMachine,
     fingerprint: &str,
 ) -> anyhow::Result<Row> {
-    let set_up = FrameMachine::new(machine, job.structure, Method::Published)?;
     let structure = structures.iter().find(|s| s.kind() == job.structure.kind()).expect("all kinds");
     let mut options = RenderOptions::new(job.test, preset.width, preset.height);
     options.seed = global.seed;
-    let frame = frame(&set_up, scene, structure, &options, |_| {})?;
+    let frame = frame(set_up, scene, structure, &options, |_| {})?;
     let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts)?;
     Ok(Row::new(
         row::Run {
@@ -221,8 +159,9 @@ fn simulate_one(
             scene,
             structure: job.structure.name(),
             test: job.test.name(),
-            tms: machine.chip.tms(),
-            scaling: job.scaling,
+            tms: set_up.description.chip.tms(),
+            series: job.series,
+            load_words: job.load_words,
             node_bytes: structure.node_bytes(),
             fingerprint,
         },
@@ -230,44 +169,4 @@ fn simulate_one(
         &frame,
         &results,
     ))
-}
-
-fn text(document: &Document) -> String {
-    let header = [
-        "scene",
-        "test",
-        "structure",
-        "tree MB",
-        "rays",
-        "frame ms",
-        "energy mJ",
-        "DRAM mJ",
-        "cache mJ",
-        "compute mJ",
-        "issue %",
-        "data %",
-    ];
-    let rows = document.rows.iter().map(|row| {
-        [
-            row.scene.clone(),
-            row.test.clone(),
-            row.structure.clone(),
-            fixed(row.node_bytes as f64 / 1e6, 2),
-            row.rays.to_string(),
-            fixed(row.frame_ms, 4),
-            fixed(row.energy_mj, 3),
-            fixed(row.dram_mj, 3),
-            fixed(row.cache_mj, 3),
-            fixed(row.compute_mj, 3),
-            fixed(row.issue_pct, 1),
-            fixed(row.data_pct, 1),
-        ]
-    });
-    let mut text = table(header, rows);
-    text += "\nComparison with the published results\n\n";
-    let claims = document.comparison.iter().map(|claim| {
-        [claim.claim.clone(), claim.published.clone(), claim.ours.clone(), claim.holds.to_owned()]
-    });
-    text += &table(["claim", "published", "ours", "holds"], claims);
-    text
 }

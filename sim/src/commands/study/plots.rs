@@ -6,7 +6,7 @@ use sim::plot::{Axis, Bars, Chart, Point, Series, Style};
 use std::collections::BTreeSet;
 
 /// File names and drawings.
-pub fn all(rows: &[Row], scaling: &[Row]) -> Vec<(String, String)> {
+pub fn all(rows: &[Row], scaling: &[Row], load_width: &[Row]) -> Vec<(String, String)> {
     let mut plots = vec![];
     for test in ["raycast", "path"] {
         plots.push((format!("time-{test}.svg"), bars(rows, test, "Frame time", "ms", |row| row.frame_ms)));
@@ -19,6 +19,12 @@ pub fn all(rows: &[Row], scaling: &[Row]) -> Vec<(String, String)> {
     plots.push(("tree-size.svg".to_owned(), bars(rows, "path", "Size of the tree", "MB", bytes)));
     if !scaling.is_empty() {
         plots.push(("scaling.svg".to_owned(), speed_up(scaling)));
+    }
+    for scene in scenes(load_width) {
+        let rows: Vec<&Row> = load_width.iter().filter(|row| row.scene == scene).collect();
+        let name = |what: &str| format!("load-width-{what}-{scene}.svg");
+        plots.push((name("time"), widths(&rows, "Frame time", "ms", |row| row.frame_ms)));
+        plots.push((name("energy"), widths(&rows, "Energy", "mJ", |row| row.energy_mj)));
     }
     plots
 }
@@ -72,6 +78,29 @@ fn split(rows: &[Row], scene: &str, test: &str) -> String {
             ("compute".to_owned(), of(|row| row.compute_mj)),
         ],
         stacked: true,
+        max: None,
+    }
+    .svg()
+}
+
+/// A quantity of every structure with loads of each width.
+fn widths(rows: &[&Row], title: &str, unit: &str, of: fn(&Row) -> f64) -> String {
+    let words = ["1", "2", "4", "line"];
+    let series = words.map(|words| {
+        let value = |structure: MachineStructure| {
+            let same = |row: &&&Row| row.structure == structure.name() && row.load_words == words;
+            rows.iter().find(same).map(|row| of(row))
+        };
+        let name = if words == "1" { "1 word".to_owned() } else { words.to_owned() };
+        (name, MachineStructure::ALL.map(value).to_vec())
+    });
+    let scene = rows.first().map_or("", |row| row.scene.as_str());
+    Bars {
+        title: format!("{title} by words of a load, {scene}, path"),
+        unit: unit.to_owned(),
+        categories: MachineStructure::ALL.map(|structure| structure.name().to_owned()).to_vec(),
+        series: series.to_vec(),
+        stacked: false,
         max: None,
     }
     .svg()

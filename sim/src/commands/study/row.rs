@@ -1,10 +1,11 @@
 //! One line of the study's tables.
 
+use super::jobs::{Preset, SCALING_SCENE, SCALING_TEST, Series, WIDTH_SCENES, WIDTH_TEST};
+use golden::build::Quality;
 use golden::render::RenderOptions;
 use scenes::Scene;
 use serde::{Deserialize, Serialize};
-use sim::machine::description::MachineDescription;
-use sim::machine::frame::Frame;
+use sim::machine::frame::{Frame, FrameMachine};
 use sim::machine::results::Results;
 
 /// A simulated frame: what it is of, and what it came to.
@@ -19,8 +20,9 @@ pub struct Row {
     pub width: u32,
     pub height: u32,
     pub tms: u32,
-    /// Whether it belongs to the scaling runs.
-    pub scaling: bool,
+    pub series: Series,
+    /// Words of a load: 1, 2, 4 or line.
+    pub load_words: String,
     pub node_bytes: u64,
     pub rays: u64,
     pub cycles: u64,
@@ -29,9 +31,17 @@ pub struct Row {
     pub dram_mj: f64,
     pub cache_mj: f64,
     pub compute_mj: f64,
+    pub l1_mj: f64,
+    pub l2_mj: f64,
+    pub icache_mj: f64,
+    pub registers_mj: f64,
+    pub local_store_mj: f64,
+    pub units_mj: f64,
     pub pipeline_mj: f64,
     pub area_mm2: f64,
     pub instructions: u64,
+    pub loads: u64,
+    pub pipeline_operations: u64,
     pub issue_pct: f64,
     pub data_pct: f64,
     pub units_pct: f64,
@@ -53,7 +63,8 @@ pub struct Run<'a> {
     pub structure: &'a str,
     pub test: &'a str,
     pub tms: u32,
-    pub scaling: bool,
+    pub series: Series,
+    pub load_words: &'a str,
     pub node_bytes: usize,
     pub fingerprint: &'a str,
 }
@@ -70,7 +81,8 @@ impl Row {
             width: options.width,
             height: options.height,
             tms: run.tms,
-            scaling: run.scaling,
+            series: run.series,
+            load_words: run.load_words.to_owned(),
             node_bytes: run.node_bytes as u64,
             rays: frame.rays,
             cycles: results.cycles.into(),
@@ -79,9 +91,17 @@ impl Row {
             dram_mj: results.energy_groups_mj.dram,
             cache_mj: results.energy_groups_mj.cache,
             compute_mj: results.energy_groups_mj.compute,
+            l1_mj: results.energy_mj.l1,
+            l2_mj: results.energy_mj.l2,
+            icache_mj: results.energy_mj.icache,
+            registers_mj: results.energy_mj.registers,
+            local_store_mj: results.energy_mj.local_store,
+            units_mj: results.energy_mj.units,
             pipeline_mj: results.energy_mj.pipeline,
             area_mm2: results.area_mm2.total,
             instructions: results.instructions.total,
+            loads: results.instructions.loads,
+            pipeline_operations: results.instructions.pipeline,
             issue_pct: percent("issue"),
             data_pct: percent("data"),
             units_pct: percent("units"),
@@ -97,15 +117,42 @@ impl Row {
     }
 }
 
-/// Identifies everything that a run depends on but its scene, structure and test.
-pub fn fingerprint(machine: &MachineDescription, seed: u64, detail: f64, width: u32, height: u32) -> String {
+/// Identifies everything that a run depends on but its scene and test: scene size, tree quality, machine, pipeline, program.
+pub fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
     let version = env!("CARGO_PKG_VERSION");
-    let everything = format!("{version} {seed} {detail} {width}x{height}\n{}", machine.to_toml());
+    let Preset { detail, width, height, .. } = preset;
+    let everything = format!(
+        "{version} {seed} {detail} {width}x{height} {quality:?}\n{}\n{:?}\n{}",
+        machine.description.to_toml(),
+        machine.pipeline,
+        machine.structure.listing()
+    );
     // FNV-1a, 64 bits.
     let hash = everything
         .bytes()
         .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
     format!("{hash:016x}")
+}
+
+/// The rows of a series, with those of the main series that belong to it, in the order of what it varies.
+pub fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
+    let belongs = |row: &&Row| {
+        row.series == series
+            || row.series == Series::Main
+                && match series {
+                    Series::Main => true,
+                    Series::Scaling => row.scene == SCALING_SCENE && row.test == SCALING_TEST.name(),
+                    Series::LoadWidth => {
+                        WIDTH_SCENES.contains(&row.scene.as_str()) && row.test == WIDTH_TEST.name()
+                    }
+                }
+    };
+    let mut chosen: Vec<Row> = rows.iter().filter(belongs).cloned().collect();
+    let key = |row: &Row| {
+        (row.scene.clone(), row.test.clone(), row.structure.clone(), row.tms, row.load_words.clone())
+    };
+    chosen.sort_by_key(key);
+    chosen
 }
 
 /// The rows as CSV with a header.

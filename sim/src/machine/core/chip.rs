@@ -200,7 +200,8 @@ impl<W: Work> Chip<'_, W> {
     /// The first cycle from `end` on in which anything can happen, at the start of a quantum.
     fn next_start(&self, end: u32) -> u32 {
         let next = self.seats.iter().map(|seat| seat.tm.next_time()).min().unwrap_or(end);
-        if next <= end {
+        // A line whose time is known is announced before it arrives.
+        if next <= end || self.dram.has_news() {
             return end;
         }
         let next = next.min(self.dram.next_command());

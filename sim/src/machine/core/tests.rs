@@ -1,5 +1,7 @@
 //! Programs so small that their cycles can be counted by hand.
 
+use super::l1::{Access, L1, Target};
+use super::l2::L2;
 use super::*;
 use crate::machine::description::MachineDescription;
 use crate::machine::program::{EntryId, Program};
@@ -100,6 +102,21 @@ fn loads_take_the_latency_of_where_the_line_is() {
 }
 
 #[test]
+fn a_line_that_is_read_while_everybody_waits_is_not_missed() {
+    // Line 4 is in the second-level cache only, its row is open. Line 5 is read from that row, and while line 4 is served
+    // the memory gives the command. Then the only thread waits for line 5, and nothing else is due before the refresh.
+    let set_up = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3\nLOAD $6, $4, 8192 #: data\naddu $5, $6, $6\n";
+    let both = format!("{set_up}LOAD $7, $4, 16 #: data\nLOAD $8, $4, 1 #: data\naddu $5, $7, $8");
+    let m = machine(&[]);
+    let read = (m.dram.timing.read_latency + m.dram.timing.burst) / m.dram.clocks_per_cycle;
+    for nops in 0..8 {
+        let nops = "nop\n".repeat(nops);
+        let from = cycles(&[], &format!("{nops}{set_up}"));
+        assert_eq!(cycles(&[], &format!("{nops}{both}")) - from, read + 1, "{nops}");
+    }
+}
+
+#[test]
 fn banks_units_and_fetches_serve_as_many_a_cycle_as_there_are() {
     let slower = |settings: &[&str], body: &str, address: fn(u32) -> u32| {
         let settings = [&["tm.threads=4", "icache.fetches_per_bank=4"], settings].concat();
@@ -185,4 +202,47 @@ fn results_do_not_depend_on_the_number_of_host_threads() {
     let one = run(1);
     assert_eq!(one, run(2));
     assert_eq!(one, run(5));
+}
+
+#[test]
+fn a_larger_cache_never_misses_more_and_each_line_is_missed_once_at_least() {
+    // One thread, so that the order of accesses does not depend on the cache; replacement by least recent use in one set.
+    let misses = |lines: u32| {
+        let size = format!("l1.size={}", lines * 64);
+        let settings = ["tm.threads=1", &size, &format!("l1.associativity={lines}"), "l1.banks=1"];
+        let body = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3";
+        let l1 = run_at(&settings, 4000, body, |item| 16 * (item * item % 61)).l1;
+        l1.loads - l1.hits
+    };
+    let distinct = (0..4000u32).map(|item| item * item % 61).collect::<std::collections::BTreeSet<_>>().len();
+    let by_size: Vec<u64> = [1, 2, 4, 8, 16, 32, 64, 128].map(misses).to_vec();
+    assert!(by_size.is_sorted_by(|small, large| small >= large), "{by_size:?}");
+    assert!(by_size[0] > by_size[4], "{by_size:?}");
+    assert_eq!(by_size[6..], [distinct as u64; 2], "what fits is fetched once");
+}
+
+#[test]
+fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
+    let machine = machine(&[]);
+    let target = Target { thread: 0, registers: &[1] };
+    let mut l1 = L1::new(&machine);
+    l1.begin(0);
+    // A line that arrives in cycle 4 can be joined a cycle before, and is held from then on.
+    assert_eq!(l1.load_now(0, 0, 64, target), Access::Ask);
+    l1.taken(0, 0, 64, 4, target);
+    assert_eq!(l1.load_now(0, 0, 64 + 8, target), Access::Refused, "the same bank in the same cycle");
+    assert_eq!(l1.load_now(3, 3, 65, target), Access::Served(4 + machine.l1.latency_cycles));
+    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 0));
+    assert_eq!(l1.load_now(4, 4, 65, target), Access::Served(4 + machine.l1.latency_cycles));
+    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 1));
+    assert_eq!(l1.counts.bank_conflicts, 1);
+
+    let mut l2 = L2::new(&machine.l2);
+    l2.begin(0);
+    assert!(l2.is_free(0, 5));
+    l2.take(0, 5);
+    assert!(!l2.is_free(0, 5 + machine.l2.banks), "the same bank in the same cycle");
+    assert!(l2.is_free(0, 6) && l2.is_free(1, 5));
+    l2.arrives(9, 6);
+    assert!(!l2.hit(5, 9) && l2.hit(6, 9), "a line is held from the cycle of its arrival on");
 }

@@ -85,7 +85,9 @@ impl MachineStructure {
         matches!(self, Self::Bvh2Plus | Self::Bvh4Plus | Self::Bvh8Plus)
     }
 
-    fn listing(self) -> &'static str {
+    /// Its program as compiled.
+    #[must_use]
+    pub fn listing(self) -> &'static str {
         match self {
             Self::Dst => include_str!("../../../kernels/dst.s"),
             Self::DstSoftware => include_str!("../../../kernels/dst-sw.s"),

@@ -105,3 +105,34 @@ fn full_queues_refuse_and_refresh_happens() {
     assert_eq!(counts.refreshes, 4 * u64::from(description.channels));
     assert_eq!((counts.refused, counts.merged_writes), (1, 1));
 }
+
+#[test]
+fn a_command_one_clock_early_is_not_issued() {
+    let description = description();
+    let t = description.timing;
+    let mut channel = Channel::new(&description);
+    let read = |channel: &mut Channel, clock: u64, line, bank, row| {
+        assert!(matches!(channel.read(clock, line, bank, row, TM), Offer::Queued));
+    };
+    // Runs to `clock`, without anything being issued before it, and returns what is issued then.
+    let only_at = |channel: &mut Channel, from: u64, clock: u64| {
+        for early in from..clock {
+            assert!(channel.command(early).is_none(), "clock {early}, a command is due at {clock}");
+        }
+        channel.command(clock).map(|(done, line, _)| (done, line))
+    };
+    let (column, data) = (u64::from(t.activate_to_column), u64::from(t.read_latency + t.burst));
+    // The row is opened at once; its first column can be read that many clocks later.
+    read(&mut channel, 0, 1, 0, 7);
+    assert_eq!(only_at(&mut channel, 0, column), Some((column + data, 1)));
+    // The next column of the row when the bus is free.
+    let gap = u64::from(t.column_to_column.max(t.burst));
+    read(&mut channel, column, 2, 0, 7);
+    assert_eq!(only_at(&mut channel, column + 1, column + gap), Some((column + gap + data, 2)));
+    // Another row of the bank: closed when the first was open long enough, opened, read.
+    read(&mut channel, column + gap, 3, 0, 8);
+    let close = u64::from(t.activate_to_precharge).max(column + gap + u64::from(t.read_to_precharge));
+    let open = (close + u64::from(t.precharge)).max(u64::from(t.activate_to_activate_same_bank));
+    let ready = open + column;
+    assert_eq!(only_at(&mut channel, column + gap + 1, ready), Some((ready + data, 3)));
+}

@@ -1,0 +1,70 @@
+//! A study as text.
+
+use super::Document;
+use super::row::Row;
+use crate::console::{fixed, table};
+
+/// All of a study.
+pub fn tables(document: &Document) -> String {
+    let header = [
+        "scene",
+        "test",
+        "structure",
+        "tree MB",
+        "rays",
+        "frame ms",
+        "energy mJ",
+        "DRAM mJ",
+        "cache mJ",
+        "compute mJ",
+        "issue %",
+        "data %",
+    ];
+    let rows = document.rows.iter().map(|row| {
+        [
+            row.scene.clone(),
+            row.test.clone(),
+            row.structure.clone(),
+            fixed(row.node_bytes as f64 / 1e6, 2),
+            row.rays.to_string(),
+            fixed(row.frame_ms, 4),
+            fixed(row.energy_mj, 3),
+            fixed(row.dram_mj, 3),
+            fixed(row.cache_mj, 3),
+            fixed(row.compute_mj, 3),
+            fixed(row.issue_pct, 1),
+            fixed(row.data_pct, 1),
+        ]
+    });
+    let mut text = table(header, rows);
+    text += "\nFrame time by number of multiprocessors\n\n";
+    text += &across(&document.scaling, |row| row.tms.to_string());
+    text += "\nFrame time and energy by words of a load\n\n";
+    text += &across(&document.load_width, |row| row.load_words.clone());
+    text += "\nComparison with the published results\n\n";
+    let claims = document.comparison.iter().map(|claim| {
+        [claim.claim.clone(), claim.published.clone(), claim.ours.clone(), claim.holds.to_owned()]
+    });
+    text += &table(["claim", "published", "ours", "holds"], claims);
+    text
+}
+
+/// One line for each run of a series, which varies what `of` gives.
+fn across(rows: &[Row], of: fn(&Row) -> String) -> String {
+    let header =
+        ["scene", "test", "structure", "value", "frame ms", "energy mJ", "issue %", "data %", "halted %"];
+    let line = |row: &Row| {
+        [
+            row.scene.clone(),
+            row.test.clone(),
+            row.structure.clone(),
+            of(row),
+            fixed(row.frame_ms, 4),
+            fixed(row.energy_mj, 3),
+            fixed(row.issue_pct, 1),
+            fixed(row.data_pct, 1),
+            fixed(row.halted_pct, 1),
+        ]
+    };
+    table(header, rows.iter().map(line))
+}
