@@ -57,8 +57,8 @@ pub fn csv(document: &Document) -> anyhow::Result<Vec<u8>> {
             let (value, source) = (value.to_string(), &provenance["scenes"]);
             writer.write_record([found.pipeline, "netlist", quantity, &found.scene, &value, "fJ", source])
         };
-        row("energy in scene", found.energy.total())?;
-        row("energy with glitches in scene", found.energy_with_glitches.total())?;
+        row("energy in scene", found.energy.zero_delay.total())?;
+        row("energy with glitches in scene", found.energy.with_glitches.total())?;
     }
     for found in &document.alternatives {
         let part = format!("{}: {}", found.question, found.answer);

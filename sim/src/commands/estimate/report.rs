@@ -178,7 +178,7 @@ fn breakdowns(document: &Document) -> Section {
     let mut notes = Vec::new();
     for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
         notes.push(format!(
-            "{}: {} cells, {} flip-flops, critical path {:.3} ns ({:.0} MHz), leakage {:.1} uW; energy of {} operations, with \
+            "{}: {} cells, {} flip-flops, critical path {:.3} ns ({:.0} MHz), leakage {:.3} uW; energy of {} operations, with \
              glitches of {} (standard error {:.1} %).",
             pipeline.name,
             pipeline.cells,
@@ -242,10 +242,10 @@ fn scenes(document: &Document) -> Section {
             single,
             dual,
             leaf,
-            fixed(row.energy.logic() / 1e3, 3),
-            fixed(row.energy.total() / 1e3, 3),
-            fixed(row.energy_with_glitches.total() / 1e3, 3),
-            fixed(100.0 * row.glitch_error, 1),
+            fixed(row.energy.zero_delay.logic() / 1e3, 3),
+            fixed(row.energy.zero_delay.total() / 1e3, 3),
+            fixed(row.energy.with_glitches.total() / 1e3, 3),
+            fixed(100.0 * row.energy.glitch_error, 1),
         ]
     });
     let header = [
