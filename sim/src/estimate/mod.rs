@@ -158,8 +158,7 @@ pub fn cost(
     }
 }
 
-/// The embedded library, made once.
-/// The library that needs no file.
+/// The library that needs no file, made once.
 pub fn embedded_library() -> &'static Library {
     static LIBRARY: OnceLock<Library> = OnceLock::new();
     LIBRARY.get_or_init(embedded)
