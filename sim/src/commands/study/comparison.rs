@@ -53,8 +53,9 @@ impl Table<'_> {
         let is_least = |scene: &&str| {
             let own = self.value(scene, test, structure, of)?;
             let others = among.iter().filter(|other| **other != structure);
-            let mut values = others.filter_map(|other| self.value(scene, test, other, of));
-            Some(values.all(|value| own <= value))
+            // A scene counts once all of them have been simulated.
+            let values: Option<Vec<f64>> = others.map(|other| self.value(scene, test, other, of)).collect();
+            Some(values?.iter().all(|value| own <= *value))
         };
         let known: Vec<bool> = scenes.iter().filter_map(is_least).collect();
         (known.iter().filter(|least| **least).count(), known.len())
