@@ -59,7 +59,7 @@ pub fn alternatives(
         Structures { selection: Selection::Chain, ..Structures::default() },
     )?;
     for (implementation, answer, is_built) in [
-        (built, "one condition each, AND-OR", true),
+        (built, "one condition each, AND-OR, choices within choices too", true),
         (&chained, "2:1 multiplexers in a row, as written", false),
     ] {
         let energy = implementation.energy(&workload.streams(implementation)?).zero_delay.glue;
@@ -80,12 +80,17 @@ pub fn alternatives(
     let question = "reciprocal of a plane (one of two planes)";
     for (answer, is_built, way) in [
         (
-            "axis of both reciprocals, then role by the chosen sign",
+            "axis of the entry's; then the exit's axes and the role in one AND-OR of four",
             true,
-            axis_then_role as fn(&mut Aig) -> Vec<Lit>,
+            axis_with_role as fn(&mut Aig) -> Vec<Lit>,
         ),
+        ("axis of both reciprocals, then role by the chosen sign", false, axis_then_role),
         ("role of each axis, then axis", false, role_then_axis),
-        ("six conditions, AND-OR", false, six_conditions),
+        (
+            "six conditions, AND-OR (lacks the entry's, which the role comparators take)",
+            false,
+            six_conditions,
+        ),
     ] {
         add(question, answer, is_built, gates(way, library)?, None);
     }
@@ -189,6 +194,14 @@ fn axis_then_role(aig: &mut Aig) -> Vec<Lit> {
     let exit = chosen(aig, &axis, &[&exit[0], &exit[1], &exit[2]]);
     let is_exit = !aig.xor(entry[31], side);
     words::mux(aig, is_exit, &exit, &entry)
+}
+
+fn axis_with_role(aig: &mut Aig) -> Vec<Lit> {
+    let (axis, side, entry, exit) = reciprocals(aig);
+    let entry = chosen(aig, &axis, &[&entry[0], &entry[1], &entry[2]]);
+    let is_exit = !aig.xor(entry[31], side);
+    let [x, y, z] = axis.map(|axis| aig.and(axis, is_exit));
+    chosen(aig, &[x, y, z, !is_exit], &[&exit[0], &exit[1], &exit[2], &entry])
 }
 
 fn role_then_axis(aig: &mut Aig) -> Vec<Lit> {

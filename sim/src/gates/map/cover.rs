@@ -7,7 +7,9 @@ use crate::gates::aig::{Aig, Lit};
 use crate::gates::liberty::Library;
 
 /// Passes of exact-area recovery.
-const EXACT_PASSES: usize = 3;
+const EXACT_PASSES: usize = 4;
+/// Areas that differ by less than this fraction are equal but for rounding.
+const SAME_AREA: f32 = 1e-5;
 
 /// How one polarity of a node is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +30,8 @@ pub struct Cover<'a> {
     /// By code of the literal: plain, then complemented.
     pub choices: Vec<Choice>,
     uses: Vec<u32>,
+    /// Most cells in a row up to each, by the choices so far.
+    levels: Vec<u32>,
 }
 
 /// The literals that a match reads.
@@ -46,8 +50,8 @@ impl<'a> Cover<'a> {
         cuts: Vec<Vec<Cut>>,
     ) -> Result<Self, MapError> {
         let count = 2 * aig.nodes().len();
-        let mut cover =
-            Self { aig, patterns, cuts, choices: vec![Choice::Inverter; count], uses: vec![0; count] };
+        let choices = vec![Choice::Inverter; count];
+        let mut cover = Self { aig, patterns, cuts, choices, uses: vec![0; count], levels: vec![0; count] };
         cover.by_flow(library)?;
         for lit in aig.roots().filter(|lit| lit.node() != 0) {
             cover.take(lit);
@@ -147,7 +151,17 @@ impl<'a> Cover<'a> {
         }
     }
 
-    /// For each polarity in use, the choice that adds least to the whole.
+    /// Most cells in a row up to a polarity that is made so.
+    fn level(&self, lit: Lit, choice: &Choice) -> u32 {
+        let of = |lit: Lit| self.levels[lit.code() as usize];
+        match choice {
+            Choice::Source => 0,
+            Choice::Inverter => of(!lit) + 1,
+            Choice::Cell(cut, found) => operands(cut, found).map(of).max().unwrap_or(0) + 1,
+        }
+    }
+
+    /// For each polarity in use, the choice that adds least to the whole; of equal ones that with the fewest cells in a row.
     fn by_exact_area(&mut self) {
         for node in 1..self.aig.nodes().len() {
             if self.aig.operands(node).is_none() {
@@ -158,13 +172,18 @@ impl<'a> Cover<'a> {
                     continue;
                 }
                 self.drop_operands(lit);
-                let mut best: Option<(f32, Choice)> = None;
+                let mut best: Option<(f32, u32, Choice)> = None;
                 let mut consider = |cover: &mut Self, choice: Choice| {
+                    let level = cover.level(lit, &choice);
                     cover.choices[lit.code() as usize] = choice;
                     let area = cover.take_operands(lit);
                     cover.drop_operands(lit);
-                    if best.is_none_or(|(least, _)| area < least) {
-                        best = Some((area, choice));
+                    let is_better = |(least, shortest, _): (f32, u32, Choice)| {
+                        area < least - SAME_AREA * least
+                            || area <= least + SAME_AREA * least && level < shortest
+                    };
+                    if best.is_none_or(is_better) {
+                        best = Some((area, level, choice));
                     }
                 };
                 // An inverter behind an inverter would make nothing of nothing.
@@ -179,8 +198,9 @@ impl<'a> Cover<'a> {
                         consider(self, Choice::Cell(cut, *found));
                     }
                 }
-                if let Some((_, choice)) = best {
+                if let Some((_, level, choice)) = best {
                     self.choices[lit.code() as usize] = choice;
+                    self.levels[lit.code() as usize] = level;
                 }
                 self.take_operands(lit);
             }

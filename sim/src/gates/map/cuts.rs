@@ -5,7 +5,7 @@ use crate::gates::aig::{Aig, Lit};
 use crate::gates::liberty::function::{MAX_INPUTS, variable};
 
 /// Most cuts of a node.
-const MOST_CUTS: usize = 14;
+const MOST_CUTS: usize = 32;
 
 /// A cut.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -80,7 +80,7 @@ pub fn compared(design: &Design, source: &str, folder: &Path) -> Result<Miter, V
     let known: BTreeSet<String> = own.latches().iter().map(|latch| latch.name.clone()).collect();
     let mut read = synthesise(design, source, folder)?;
     // yosys lists all names of a net; one of them is the register's.
-    rename(&mut read, |names| {
+    rename(&mut read, |names, _| {
         let mut aliases = names.split(' ');
         let first = aliases.clone().next().unwrap_or_default();
         aliases.find(|alias| known.contains(*alias)).unwrap_or(first).to_owned()
@@ -88,27 +88,33 @@ pub fn compared(design: &Design, source: &str, folder: &Path) -> Result<Miter, V
     Ok(Miter::new(&own, &read)?)
 }
 
-/// A name of ours as it is in the Verilog, with the brackets of a bit and the dots of the hierarchy kept.
-fn verilog_name(name: &str) -> String {
+/// A name of ours as it is in the Verilog, with the brackets of a bit and the dots of the hierarchy kept. Ports of the top,
+/// which have no path, end in `suffix`.
+fn verilog_name(name: &str, suffix: &str) -> String {
     let (word, bit) = match name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
         Some((word, bit)) => (word, format!("[{bit}]")),
         None => (name, String::new()),
     };
     let parts: Vec<String> = word.split('.').map(plain).collect();
-    format!("{}{bit}", parts.join("."))
+    let suffix = match parts.as_slice() {
+        [port] if !port.ends_with(suffix) => suffix,
+        _ => "",
+    };
+    format!("{}{suffix}{bit}", parts.join("."))
 }
 
-fn rename(aig: &mut Aig, name: impl Fn(&str) -> String) {
+/// Gives everything another name, by its own and what ports of its kind end in.
+fn rename(aig: &mut Aig, name: impl Fn(&str, &str) -> String) {
     for position in 0..aig.inputs().len() {
-        let new = name(&aig.inputs()[position].name);
+        let new = name(&aig.inputs()[position].name, "_i");
         aig.rename_input(position, &new);
     }
     for position in 0..aig.latches().len() {
-        let new = name(&aig.latches()[position].name);
+        let new = name(&aig.latches()[position].name, "");
         aig.rename_latch(position, &new);
     }
     for output in &mut aig.outputs {
-        output.name = name(&output.name);
+        output.name = name(&output.name, "_o");
     }
 }
 
@@ -145,4 +151,18 @@ fn synthesise(design: &Design, source: &str, folder: &Path) -> Result<Aig, Veril
     let path = folder.join(gates);
     let bytes = std::fs::read(&path).map_err(|source| VerilogError::File { path, source })?;
     Ok(aiger::read(&bytes)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_the_export() {
+        assert_eq!(verilog_name("a_i[3]", "_i"), "a_i[3]");
+        assert_eq!(verilog_name("box_min_x_i$1[3]", "_i"), "box_min_x_i_1_i[3]");
+        assert_eq!(verilog_name("hit_o$0", "_o"), "hit_o_0_o");
+        assert_eq!(verilog_name("lane$0.mul$1.product_o[47]", "_i"), "lane_0.mul_1.product_o[47]");
+        assert_eq!(verilog_name("valid_1", ""), "valid_1");
+    }
 }

@@ -6,7 +6,7 @@ use crate::gates::liberty::function::variable;
 use crate::gates::map::{Gate, Mapped};
 
 /// Most readers of a net, or of a buffer.
-const MOST_READERS: usize = 32;
+const MOST_READERS: usize = 20;
 
 /// A reader of a net.
 #[derive(Clone, Copy)]
