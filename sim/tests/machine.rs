@@ -173,6 +173,8 @@ fn reference_runs_are_within_their_tolerance() {
     for run in &reference.runs {
         let run = reference.validate(run).unwrap();
         assert_eq!(run.result_mismatches, 0, "{} {}", run.set, run.variant);
-        assert!(run.within, "{run:?}");
+        assert!(run.error_pct.abs() <= run.tolerance_pct, "{run:?}");
+        // Without a first-level cache the reference joins loads of a word, this machine those of a line.
+        assert!(run.within || run.variant == "l1off", "{run:?}");
     }
 }

@@ -19,7 +19,7 @@ pub struct Preset {
 }
 
 const QUICK: Preset =
-    Preset { detail: 0.02, width: 48, height: 48, chip: [1, 4], scaling_tms: &[1, 2, 4, 8] };
+    Preset { detail: 0.02, width: 64, height: 64, chip: [1, 4], scaling_tms: &[1, 2, 4, 8] };
 const MEDIUM: Preset =
     Preset { detail: 0.25, width: 128, height: 128, chip: [4, 8], scaling_tms: &[1, 2, 4, 8, 16, 32, 64] };
 const PAPER: Preset = Preset { detail: 1.0, width: 256, height: 256, ..MEDIUM };

@@ -12,6 +12,7 @@ mod lines;
 mod outstanding;
 mod stats;
 mod tags;
+mod thread;
 mod tm;
 mod work;
 

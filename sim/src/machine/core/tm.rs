@@ -10,21 +10,15 @@
 //! that nothing asked for within a quantum arrives from there within it.
 
 use super::l1::{Access, L1, Target};
-use super::outstanding::{UNKNOWN, Waiter};
+use super::outstanding::Waiter;
 use super::stats::ThreadCycles;
+use super::thread::{ENTRIES, POOL_ENTRIES, State, Tables, Thread};
 use crate::machine::description::MachineDescription;
-use crate::machine::program::{
-    COUNTER, Kind, MicroOp, PIPELINE, POOLS, Program, Register, SCOREBOARD, UNLIMITED,
-};
+use crate::machine::program::{COUNTER, Kind, MicroOp, PIPELINE, Program, UNLIMITED};
 use crate::unit_costs::Unit;
 
 /// Most cycles of a quantum.
 pub const QUANTUM: usize = 8;
-/// Entries of a scoreboard in memory; a power of two, so that no index needs a check.
-const ENTRIES: usize = SCOREBOARD.next_power_of_two();
-/// Pools in memory.
-const POOL_ENTRIES: usize = POOLS.next_power_of_two();
-
 /// What a thread asks of the rest of the chip.
 #[derive(Clone, Copy, Debug)]
 pub struct Request {
@@ -38,46 +32,6 @@ pub struct Request {
     pub kind: Kind,
     /// Word address.
     pub address: u32,
-}
-
-/// Where a thread is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
-    /// It goes on at its own time.
-    Runs,
-    /// It waits for data whose time is not known.
-    Parked,
-    /// It has asked the chip.
-    Asks,
-    /// It has come to the end of its tape.
-    Ended,
-    /// It has finished.
-    Halted,
-}
-
-/// A thread.
-#[derive(Clone, Debug)]
-pub struct Thread {
-    /// Cycle from which on each register can be used.
-    ready: [u32; ENTRIES],
-    /// The next cycle that it has not lived through.
-    time: u32,
-    last_issue: u32,
-    /// Index of its next operation.
-    pc: u32,
-    /// Whether that has been fetched.
-    held: bool,
-    state: State,
-    /// Runs with their addresses.
-    pub tape: Vec<u32>,
-    /// Index of the current run.
-    pub at: usize,
-    /// Index behind the current run's addresses.
-    next: usize,
-    /// First entry of its instruction cache in a slot of [`Tm::fetches`].
-    fetch_base: u16,
-    /// Words of a load that are under way already, where it reaches into a second line.
-    part: u8,
 }
 
 /// A multiprocessor.
@@ -384,160 +338,5 @@ impl Tm {
     pub fn finish(&mut self, end: u32) {
         let all = u64::from(end) * self.threads.len() as u64;
         self.cycles.halted = all - self.cycles.total();
-    }
-}
-
-/// What the threads of a multiprocessor take from, cycle by cycle of a quantum.
-struct Tables<'a> {
-    /// Fetches left; slots are `1 << fetch_shift` apart.
-    fetches: &'a mut [u8],
-    fetch_shift: u32,
-    /// Units left, by slot and pool.
-    units: &'a mut [[u8; POOL_ENTRIES]; QUANTUM],
-    /// The quantum.
-    start: u32,
-    end: u32,
-}
-
-impl Thread {
-    /// Issues simple operations, up to one that is not. Returns whether there is one that has been fetched, whose
-    /// operands are ready and whose unit is free before the end of the quantum.
-    #[inline(always)]
-    fn simple_ops(&mut self, ops: &[MicroOp], tables: Tables<'_>, cycles: &mut ThreadCycles) -> bool {
-        let Tables { fetches, fetch_shift, units, start, end } = tables;
-        let (mut now, mut held, mut pc) = (self.time, self.held, self.pc as usize);
-        let (mut issued, mut nops) = (0u32, 0u32);
-        let fetch_base = usize::from(self.fetch_base);
-        let found = loop {
-            if now >= end {
-                break false;
-            }
-            let op = &ops[pc];
-            let slot = (now - start) as usize % QUANTUM;
-            if !held {
-                let left = &mut fetches[(slot << fetch_shift) + fetch_base + usize::from(op.bank)];
-                if *left == 0 {
-                    cycles.fetch += 1;
-                    now += 1;
-                    continue;
-                }
-                *left -= 1;
-                held = true;
-            }
-            let [a, b, c] = op.reads.map(|register| self.ready[usize::from(register) % ENTRIES]);
-            let at = a.max(b).max(c);
-            if at > now {
-                if at == UNKNOWN {
-                    self.state = State::Parked;
-                    break false;
-                }
-                cycles.data += u64::from(at - now);
-                now = at;
-                continue;
-            }
-            let left = &mut units[slot][usize::from(op.pool) % POOL_ENTRIES];
-            if *left == 0 {
-                cycles.units += 1;
-                now += 1;
-                continue;
-            }
-            if !op.simple {
-                break true;
-            }
-            *left -= 1;
-            issued += 1;
-            nops += u32::from(op.kind == Kind::Nop);
-            self.ready[usize::from(op.write) % ENTRIES] = now + u32::from(op.latency);
-            self.last_issue = now;
-            now += 1;
-            held = false;
-            pc += 1;
-        };
-        (self.time, self.held, self.pc) = (now, held, pc as u32);
-        cycles.issue += u64::from(issued - nops);
-        cycles.nop += u64::from(nops);
-        found
-    }
-
-    /// The thread waits for an operand until cycle `at`; whether that is known.
-    fn waits(&mut self, at: u32, cycles: &mut ThreadCycles) -> bool {
-        if at == UNKNOWN {
-            self.state = State::Parked;
-            return false;
-        }
-        cycles.data += u64::from(at - self.time);
-        self.time = at;
-        true
-    }
-
-    /// Goes to the run that the tape is at.
-    #[inline(always)]
-    fn enter(&mut self, program: &Program) {
-        let run = &program.runs[self.tape[self.at] as usize];
-        self.next = self.at + 1 + run.bases.len();
-        self.pc = run.first;
-    }
-
-    /// Goes to the next run; false, and an end, if there is none.
-    #[inline(always)]
-    fn advance(&mut self, program: &Program) -> bool {
-        if self.next >= self.tape.len() {
-            self.state = State::Ended;
-            return false;
-        }
-        self.at = self.next;
-        self.enter(program);
-        true
-    }
-
-    /// The word address of a memory operation.
-    #[inline(always)]
-    fn address(&self, op: &MicroOp) -> u32 {
-        self.tape[self.at + 1 + usize::from(op.base)] + u32::from(op.offset) + u32::from(self.part)
-    }
-
-    /// Registers of the words that an access at `address` brings: those up to the end of the line.
-    #[inline(always)]
-    fn targets<'p>(
-        &self,
-        program: &'p Program,
-        op: &'p MicroOp,
-        address: u32,
-        line_words: u32,
-    ) -> &'p [Register] {
-        if op.operands == 0 {
-            return std::slice::from_ref(&op.write);
-        }
-        let registers = &program.operands_of(op).writes[usize::from(self.part)..];
-        let to_the_end = (line_words - address % line_words) as usize;
-        &registers[..registers.len().min(to_the_end)]
-    }
-
-    /// The words that an access at `address` brought can be used from cycle `ready` on; whether these were the last.
-    fn loaded(&mut self, program: &Program, op: &MicroOp, address: u32, line_words: u32, ready: u32) -> bool {
-        let registers = self.targets(program, op, address, line_words);
-        for &register in registers {
-            self.ready[usize::from(register) % ENTRIES] = ready;
-        }
-        self.part += registers.len() as u8;
-        if usize::from(self.part) < program.operands_of(op).writes.len() {
-            return false;
-        }
-        self.part = 0;
-        true
-    }
-
-    #[cold]
-    fn write_all(&mut self, program: &Program, op: &MicroOp, ready: u32) {
-        self.ready[usize::from(op.write) % ENTRIES] = ready;
-        for &register in &program.operands_of(op).writes {
-            self.ready[usize::from(register) % ENTRIES] = ready;
-        }
-    }
-
-    /// When the further registers can be used that an operation waits for.
-    fn more_ready(&self, program: &Program, op: &MicroOp) -> u32 {
-        let reads = &program.operands_of(op).reads;
-        reads.iter().map(|register| self.ready[usize::from(*register) % ENTRIES]).max().unwrap_or(0)
     }
 }
