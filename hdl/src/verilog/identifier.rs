@@ -15,8 +15,9 @@ pub fn plain(name: &str) -> String {
     name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect()
 }
 
-/// The name with `suffix` once, at its end: `hit_o$3` is `hit_3_o`.
-fn with_suffix(name: &str, suffix: &str) -> String {
+/// A port's name in Verilog, with the direction's `suffix` once, at its end: `hit_o$3` is `hit_3_o`.
+#[must_use]
+pub fn port_name(name: &str, suffix: &str) -> String {
     let (stem, position) = name.split_at(name.find('$').unwrap_or(name.len()));
     let stem = stem.strip_suffix(suffix).unwrap_or(stem);
     plain(&format!("{stem}{position}{suffix}"))
@@ -54,9 +55,9 @@ pub struct PortNames {
 pub fn port_names(module: &Module, namespace: &mut Namespace) -> PortNames {
     namespace.claim(CLOCK);
     PortNames {
-        inputs: module.inputs.iter().map(|port| namespace.claim(&with_suffix(&port.name, "_i"))).collect(),
+        inputs: module.inputs.iter().map(|port| namespace.claim(&port_name(&port.name, "_i"))).collect(),
         outputs: (module.outputs.iter())
-            .map(|(port, _)| namespace.claim(&with_suffix(&port.name, "_o")))
+            .map(|(port, _)| namespace.claim(&port_name(&port.name, "_o")))
             .collect(),
     }
 }
@@ -72,9 +73,9 @@ mod tests {
         assert_eq!(namespace.claim("a"), "a_2");
         assert_eq!(namespace.claim("a"), "a_3");
         assert_eq!(namespace.claim("wire"), "wire_2");
-        assert_eq!(with_suffix("lo$0", "_i"), "lo_0_i");
-        assert_eq!(with_suffix("hit_o$3", "_o"), "hit_3_o");
-        assert_eq!(with_suffix("hit_o$3", "_i"), "hit_o_3_i");
-        assert_eq!(with_suffix("en_i", "_i"), "en_i");
+        assert_eq!(port_name("lo$0", "_i"), "lo_0_i");
+        assert_eq!(port_name("hit_o$3", "_o"), "hit_3_o");
+        assert_eq!(port_name("hit_o$3", "_i"), "hit_o_3_i");
+        assert_eq!(port_name("en_i", "_i"), "en_i");
     }
 }

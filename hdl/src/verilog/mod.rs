@@ -17,7 +17,7 @@ use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
 
-pub use identifier::{Namespace, PortNames, plain, port_names};
+pub use identifier::{Namespace, PortNames, plain, port_name, port_names};
 pub use readme::readme;
 pub use scripts::{constraint, fusesoc_core, yosys};
 

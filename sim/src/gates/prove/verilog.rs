@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use hdl::netlist::{Design, ElaborateError, flatten};
-use hdl::verilog::{plain, text};
+use hdl::verilog::{plain, port_name, text};
 
 use super::miter::{Miter, MiterError};
 use crate::gates::aig::Aig;
@@ -95,12 +95,12 @@ fn verilog_name(name: &str, suffix: &str) -> String {
         Some((word, bit)) => (word, format!("[{bit}]")),
         None => (name, String::new()),
     };
-    let parts: Vec<String> = word.split('.').map(plain).collect();
-    let suffix = match parts.as_slice() {
-        [port] if !port.ends_with(suffix) => suffix,
-        _ => "",
+    let word = if suffix.is_empty() || word.contains('.') {
+        word.split('.').map(plain).collect::<Vec<_>>().join(".")
+    } else {
+        port_name(word, suffix)
     };
-    format!("{}{suffix}{bit}", parts.join("."))
+    format!("{word}{bit}")
 }
 
 /// Gives everything another name, by its own and what ports of its kind end in.
@@ -160,8 +160,8 @@ mod tests {
     #[test]
     fn names_are_those_of_the_export() {
         assert_eq!(verilog_name("a_i[3]", "_i"), "a_i[3]");
-        assert_eq!(verilog_name("box_min_x_i$1[3]", "_i"), "box_min_x_i_1_i[3]");
-        assert_eq!(verilog_name("hit_o$0", "_o"), "hit_o_0_o");
+        assert_eq!(verilog_name("box_min_x_i$1[3]", "_i"), "box_min_x_1_i[3]");
+        assert_eq!(verilog_name("hit_o$0", "_o"), "hit_0_o");
         assert_eq!(verilog_name("lane$0.mul$1.product_o[47]", "_i"), "lane_0.mul_1.product_o[47]");
         assert_eq!(verilog_name("valid_1", ""), "valid_1");
     }
