@@ -79,6 +79,15 @@ impl L1 {
         }
     }
 
+    /// Holds `line` from now on, in no time; whether it did before.
+    pub fn warm(&mut self, line: u32) -> bool {
+        let held = self.tags.hit(line);
+        if !held {
+            self.tags.fill(line);
+        }
+        held
+    }
+
     #[inline(always)]
     fn bank(&self, address: u32) -> u64 {
         1 << (address & self.bank_mask)

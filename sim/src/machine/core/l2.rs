@@ -66,6 +66,13 @@ impl L2 {
         1 << (address & self.bank_mask)
     }
 
+    /// Holds `line` from now on, in no time.
+    pub fn warm(&mut self, line: u32) {
+        if !self.tags.hit(line) {
+            self.tags.fill(line);
+        }
+    }
+
     /// Whether `line` is held.
     pub fn hit(&mut self, line: u32) -> bool {
         self.tags.hit(line)

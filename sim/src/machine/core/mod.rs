@@ -9,12 +9,14 @@ mod dram;
 mod l1;
 mod l2;
 mod outstanding;
+mod plan;
 mod stats;
 mod tags;
 mod tm;
 mod work;
 
-pub use chip::{Counts, SimulationError, simulate};
+pub use chip::{Counts, SimulationError, simulate, simulate_plan};
+pub use plan::{Noted, Plan, accesses};
 pub use stats::{CacheCounts, DramCounts, ThreadCycles};
 pub use work::{Tape, Work};
 

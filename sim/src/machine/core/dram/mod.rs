@@ -181,6 +181,11 @@ impl Dram {
         self.announced = self.arrivals.len();
     }
 
+    /// Whether there are arrivals that have not been announced.
+    pub fn has_news(&self) -> bool {
+        self.announced < self.arrivals.len()
+    }
+
     /// The first cycle in which a command may be due.
     pub fn next_command(&self) -> u32 {
         let cycle = self.next_of_all / u64::from(self.description.clocks_per_cycle);
