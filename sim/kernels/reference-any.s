@@ -1,7 +1,6 @@
 $CPI0_0:
 main:                           #: start
-    addiu $sp, $sp, -552
-    sdc1 $f28, 544($sp)
+    addiu $sp, $sp, -544
     sdc1 $f26, 536($sp)
     sdc1 $f24, 528($sp)
     sdc1 $f22, 520($sp)
@@ -63,83 +62,83 @@ $BB0_5:                         #: node
     LOAD $f13, $15, 0           #: children
     LOAD $f14, $15, 1           #: children
     LOAD $f15, $15, 2           #: children
-    LOAD $f16, $15, 3           #: children
-    LOAD $f17, $15, 4           #: children
-    LOAD $f18, $15, 5           #: children
     sub.s $f13, $f13, $f2
     sub.s $f14, $f14, $f3
-    sub.s $f16, $f16, $f2
-    sub.s $f17, $f17, $f3
-    addiu $15, $15, 8
-    LOAD $f19, $15, 0           #: children+8
-    LOAD $f20, $15, 1           #: children+8
-    LOAD $f21, $15, 2           #: children+8
-    LOAD $f22, $15, 3           #: children+8
-    LOAD $f23, $15, 4           #: children+8
     sub.s $f15, $f15, $f5
-    sub.s $f18, $f18, $f5
-    LOAD $f24, $15, 5           #: children+8
-    sub.s $f20, $f20, $f3
-    sub.s $f23, $f23, $f3
-    sub.s $f19, $f19, $f2
-    sub.s $f22, $f22, $f2
-    sub.s $f21, $f21, $f5
-    sub.s $f24, $f24, $f5
+    addiu $24, $15, 8
+    mul.s $f16, $f10, $f13
+    LOAD $f13, $15, 3           #: children
+    LOAD $f17, $15, 4           #: children
+    LOAD $f18, $15, 5           #: children
     mul.s $f14, $f11, $f14
-    mul.s $f13, $f10, $f13
-    mul.s $f16, $f10, $f16
-    FPMIN $f27, $f13, $f16
-    mul.s $f17, $f11, $f17
-    FPMIN $f28, $f14, $f17
     mul.s $f15, $f12, $f15
+    sub.s $f13, $f13, $f2
+    sub.s $f17, $f17, $f3
+    sub.s $f18, $f18, $f5
+    mul.s $f19, $f10, $f13
+    FPMIN $f13, $f16, $f19
+    mul.s $f17, $f11, $f17
+    FPMIN $f20, $f14, $f17
     mul.s $f18, $f12, $f18
-    FPMAX $f13, $f13, $f16
+    FPMAX $f13, $f13, $f20
+    FPMIN $f20, $f15, $f18
+    FPMAX $f13, $f13, $f20
+    FPMAX $f13, $f13, $f1
+    FPMAX $f16, $f16, $f19
     FPMAX $f14, $f14, $f17
-    mul.s $f20, $f11, $f20
-    mul.s $f23, $f11, $f23
-    mul.s $f19, $f10, $f19
-    mul.s $f22, $f10, $f22
-    FPMAX $f25, $f19, $f22
-    FPMAX $f26, $f20, $f23
-    FPMAX $f27, $f27, $f28
-    FPMIN $f17, $f20, $f23
-    mul.s $f21, $f12, $f21
-    mul.s $f24, $f12, $f24
-    FPMAX $f28, $f21, $f24
-    FPMIN $f13, $f13, $f14
-    FPMAX $f14, $f15, $f18
-    FPMIN $f25, $f25, $f26
-    FPMIN $f26, $f15, $f18
-    FPMIN $f13, $f13, $f14
-    FPMIN $f14, $f19, $f22
-    FPMAX $f26, $f27, $f26
-    FPMIN $f16, $f13, $f4
-    FPMIN $f25, $f25, $f28
-    FPMIN $f15, $f25, $f4
-    FPMAX $f13, $f26, $f1
-    FPMAX $f14, $f14, $f17
-    c.ole.s $f13, $f16
-    FPMIN $f17, $f21, $f24
-    FPMAX $f14, $f14, $f17
-    FPMAX $f14, $f14, $f1
+    FPMIN $f14, $f16, $f14
+    FPMAX $f15, $f15, $f18
+    FPMIN $f14, $f14, $f15
+    FPMIN $f14, $f14, $f4
+    LOAD $f15, $24, 0           #: children+8
+    LOAD $f16, $24, 1           #: children+8
+    LOAD $f17, $24, 2           #: children+8
+    LOAD $f18, $24, 3           #: children+8
+    LOAD $f19, $24, 4           #: children+8
+    LOAD $f20, $24, 5           #: children+8
+    c.ole.s $f13, $f14
+    sub.s $f15, $f15, $f2
+    sub.s $f16, $f16, $f3
+    sub.s $f19, $f19, $f3
+    sub.s $f17, $f17, $f5
+    sub.s $f20, $f20, $f5
+    mul.s $f21, $f10, $f15
+    sub.s $f15, $f18, $f2
+    mul.s $f16, $f11, $f16
+    mul.s $f19, $f11, $f19
+    mul.s $f17, $f12, $f17
+    mul.s $f20, $f12, $f20
+    mul.s $f18, $f10, $f15
+    FPMIN $f15, $f21, $f18
+    FPMIN $f22, $f16, $f19
+    FPMAX $f15, $f15, $f22
+    FPMIN $f22, $f17, $f20
+    FPMAX $f15, $f15, $f22
+    FPMAX $f15, $f15, $f1
+    FPMAX $f18, $f21, $f18
+    FPMAX $f16, $f16, $f19
+    FPMIN $f16, $f18, $f16
+    FPMAX $f17, $f17, $f20
+    FPMIN $f16, $f16, $f17
+    FPMIN $f16, $f16, $f4
     bc1f $BB0_8                 #: !hit_left
     nop
-    c.ole.s $f14, $f15
+    c.ole.s $f15, $f16
     bc1t $BB0_11                #: hit_right
     nop
 $BB0_8:
-    c.ole.s $f13, $f16
+    c.ole.s $f13, $f14
     bc1t $BB0_5                 #: hit_left
     nop
-    c.ole.s $f14, $f15
+    c.ole.s $f15, $f16
     bc1f $BB0_14                #: !hit_right
     nop
     j $BB0_5
     addiu $14, $14, 1
 $BB0_11:
-    mov.s $f15, $f14
+    mov.s $f14, $f15
     addiu $1, $14, 1
-    c.olt.s $f14, $f13
+    c.olt.s $f15, $f13
     sll $24, $11, 2
     addiu $13, $13, 4
     addiu $12, $12, 4
@@ -148,12 +147,12 @@ $BB0_11:
     addu $25, $9, $24
     addu $24, $7, $24
     movt $15, $14, $fcc0
-    movt.s $f15, $f13, $fcc0
-    c.olt.s $f14, $f13
+    movt.s $f14, $f13, $fcc0
+    c.olt.s $f15, $f13
     sw $15, 0($25)
     movt $14, $1, $fcc0
     j $BB0_5
-    swc1 $f15, 0($24)
+    swc1 $f14, 0($24)
 $BB0_12:
     bnez $15, $BB0_18           #: always
     nop
@@ -266,7 +265,6 @@ $BB0_23:
     ldc1 $f22, 520($sp)
     ldc1 $f24, 528($sp)
     ldc1 $f26, 536($sp)
-    ldc1 $f28, 544($sp)
     addiu $2, $zero, 0
     jr $ra
-    addiu $sp, $sp, 552
+    addiu $sp, $sp, 544

@@ -1,5 +1,7 @@
 // The kernel of the reference runs: software traversal of a BVH2 with 8-word nodes and 11-word triangles.
-// With ANY, a ray ends after the first leaf that is hit.
+// With ANY, a ray ends after the first leaf that is hit. Each box is tested before the next one is loaded: the reference's
+// count of loads that join a line under way tells (docs/machine.md).
+#define IN_ORDER volatile
 #include "trax.h"
 
 // Slab test of a box: 6 subtractions, 6 multiplications, 12 minima and maxima.
@@ -33,8 +35,8 @@ int main(void) {
                 int pair = nodes + child * 8;
                 float left, left_exit, right, right_exit;
                 LOAD_BOX(l, "children", pair)
-                LOAD_BOX(r, "children+8", pair + 8)
                 SLAB(l, left, left_exit)
+                LOAD_BOX(r, "children+8", pair + 8)
                 SLAB(r, right, right_exit)
                 int hit_left = left <= left_exit, hit_right = right <= right_exit;
                 if (hit_left && hit_right) {

@@ -3,6 +3,11 @@
 #define TRAX_H
 #define INLINE static inline __attribute__((always_inline))
 
+// Defined as `volatile` where minima and maxima keep their place among the loads.
+#ifndef IN_ORDER
+#define IN_ORDER
+#endif
+
 // Words of the parameter block at the start of memory.
 enum {
     PARAM_RAYS = 1,
@@ -38,12 +43,12 @@ enum {
 
 INLINE float minimum(float a, float b) {
     float r;
-    asm("FPMIN %0, %1, %2" : "=f"(r) : "f"(a), "f"(b));
+    asm IN_ORDER("FPMIN %0, %1, %2" : "=f"(r) : "f"(a), "f"(b));
     return r;
 }
 INLINE float maximum(float a, float b) {
     float r;
-    asm("FPMAX %0, %1, %2" : "=f"(r) : "f"(a), "f"(b));
+    asm IN_ORDER("FPMAX %0, %1, %2" : "=f"(r) : "f"(a), "f"(b));
     return r;
 }
 INLINE float inverse_square_root(float a) {

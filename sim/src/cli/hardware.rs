@@ -80,9 +80,10 @@ pub struct EstimateArgs {
     /// Synthesise the exported Verilog with yosys and ABC too, for minutes, and print both.
     #[arg(long)]
     pub synth: bool,
-    /// The scene whose rays make the nets change: a built-in one or an OBJ file, which may be xz-compressed.
+    /// The scene whose rays make the nets change: a built-in one or an OBJ file, which may be xz-compressed. May be given
+    /// several times: the first is the one of all tables, the energy in the others is a table of its own.
     #[arg(long, default_value = "courtyard")]
-    pub scene: String,
+    pub scene: Vec<String>,
     #[command(flatten)]
     pub detail: DetailArgs,
     #[command(flatten)]

@@ -1,5 +1,6 @@
 //! `dualsplit estimate`: area, energy and speed of the pipelines, beside the published figures.
 
+mod numbers;
 mod report;
 mod synthesis;
 
@@ -17,15 +18,19 @@ use sim::estimate::{
 };
 use sim::gates::liberty::{embedded, load};
 use sim::gates::words::Structures;
+use std::collections::BTreeMap;
 
 #[derive(Serialize)]
 struct Document {
     scene: String,
     library: LibraryRow,
+    /// Where the numbers below come from, by their keys.
+    provenance: BTreeMap<&'static str, String>,
     pipelines: Vec<PipelineRow>,
     /// The same without redundant comparators.
     lean_pipelines: Vec<PipelineRow>,
     ratios: Vec<RatioRow>,
+    scenes: Vec<SceneRow>,
     alternatives: Vec<Alternative>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     synthesis: Vec<synthesis::SynthesisRow>,
@@ -85,6 +90,8 @@ struct PipelineRow {
     energy_with_glitches: Breakdown,
     operations: u64,
     glitch_operations: u64,
+    /// Standard error of the energy with glitches, as a fraction of it.
+    glitch_error: f64,
     cells: usize,
     registers: usize,
     leakage_uw: f64,
@@ -93,6 +100,22 @@ struct PipelineRow {
     modules: Vec<ModuleRow>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     node_types: Vec<TypeRow>,
+}
+
+/// Energy of an operation in the library, in one of the scenes.
+#[derive(Serialize)]
+struct SceneRow {
+    scene: String,
+    pipeline: &'static str,
+    operations: u64,
+    /// Shares of the types of node among the operations; none for boxes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    node_types: Vec<(NodeType, f64)>,
+    /// Femtojoules.
+    energy: Breakdown,
+    energy_with_glitches: Breakdown,
+    glitch_operations: u64,
+    glitch_error: f64,
 }
 
 #[derive(Serialize)]
@@ -109,19 +132,31 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
         "--synth needs one --liberty FILE, which yosys and ABC map to as well"
     );
     let library = if args.liberty.is_empty() { embedded() } else { load(&args.liberty)? };
-    let scene = input::scene(&SceneArgs { scene: args.scene.clone(), detail: args.detail }, global)?;
-    let workload = Workload::new(&scene, args.quality.quality)?;
+    let workloads = (args.scene.iter())
+        .map(|scene| {
+            let scene = input::scene(&SceneArgs { scene: scene.clone(), detail: args.detail }, global)?;
+            Ok(Workload::new(&scene, args.quality.quality)?)
+        })
+        .collect::<anyhow::Result<Vec<Workload>>>()?;
+    let workload = workloads.first().context("--scene names no scene")?;
     let tops = [Top::DualSplit, Top::RayBox, Top::DualSplitLean, Top::RayBoxLean];
-    let bar = progress(tops.len() as u64 + 1, "mapping and measuring");
+    let bar = progress((tops.len() + workloads.len()) as u64 + 1, "mapping and measuring");
     let mut rows = Vec::new();
     let mut implementations = Vec::new();
     for top in tops {
         let implementation = Implementation::new(top, &library, Structures::default())?;
-        rows.push(pipeline(&implementation, &workload)?);
+        rows.push(pipeline(&implementation, workload)?);
         implementations.push(implementation);
         bar.inc(1);
     }
-    let alternatives = alternatives(&implementations[0], &library, &workload)?;
+    let mut scenes = Vec::new();
+    for workload in &workloads {
+        for implementation in &implementations[..2] {
+            scenes.push(in_scene(implementation, workload)?);
+        }
+        bar.inc(1);
+    }
+    let alternatives = alternatives(&implementations[0], &library, workload)?;
     bar.finish_and_clear();
     let synthesis = if args.synth {
         let [liberty] = args.liberty.as_slice() else { unreachable!("one file, as checked") };
@@ -140,7 +175,9 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
             gate_equivalent_um2: library.gate_equivalent_um2(),
             scaling: Scaling::of(&library),
         },
+        provenance: numbers::provenance(&library),
         ratios: ratios(&rows),
+        scenes,
         pipelines: rows,
         lean_pipelines,
         alternatives,
@@ -153,7 +190,7 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
         let json = serde_json::to_vec_pretty(&document).context("estimate.json")?;
         artifacts.write("estimate.txt", text.as_bytes())?;
         artifacts.write("estimate.json", &json)?;
-        artifacts.write("estimate.csv", &report::csv(&document)?)?;
+        artifacts.write("estimate.csv", &numbers::csv(&document)?)?;
         artifacts.write("estimate.html", report::html(&sections).as_bytes())?;
         artifacts.finish()?;
     }
@@ -218,6 +255,7 @@ fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Res
         energy_with_glitches: energy.with_glitches,
         operations: energy.operations,
         glitch_operations: energy.glitch_operations,
+        glitch_error: energy.glitch_error,
         cells: implementation.mapped.gates.len(),
         registers: implementation.mapped.registers.len(),
         leakage_uw: implementation.leakage_nw() / 1e3,
@@ -225,6 +263,25 @@ fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Res
         clock_mhz: implementation.timing.clock_mhz(),
         modules: implementation.modules(),
         node_types,
+    })
+}
+
+fn in_scene(implementation: &Implementation, workload: &Workload) -> anyhow::Result<SceneRow> {
+    let is_box = matches!(implementation.top, Top::RayBox | Top::RayBoxLean);
+    let share = |node_type: NodeType| {
+        let count = workload.nodes.iter().filter(|case| NodeType::of(case.words[0]) == node_type).count();
+        (node_type, count as f64 / workload.nodes.len() as f64)
+    };
+    let energy = implementation.energy(&workload.streams(implementation)?);
+    Ok(SceneRow {
+        scene: workload.scene.clone(),
+        pipeline: implementation.top.name(),
+        operations: energy.operations,
+        node_types: NodeType::ALL.into_iter().filter(|_| !is_box).map(share).collect(),
+        energy: energy.zero_delay,
+        energy_with_glitches: energy.with_glitches,
+        glitch_operations: energy.glitch_operations,
+        glitch_error: energy.glitch_error,
     })
 }
 

@@ -22,8 +22,8 @@ use crate::unit_costs::Unit;
 /// Cycles until a pipeline is filled.
 const FILL_CYCLES: usize = 10;
 /// Places in a stream that are simulated with glitches, and cycles counted at each.
-const GLITCH_WINDOWS: usize = 8;
-const GLITCH_CYCLES: usize = 16;
+const GLITCH_WINDOWS: usize = 16;
+const GLITCH_CYCLES: usize = 32;
 
 /// A pipeline in a library.
 #[derive(Debug)]
@@ -56,6 +56,8 @@ pub struct EnergyReport {
     pub operations: u64,
     /// Operations behind the second.
     pub glitch_operations: u64,
+    /// Standard error of the second number's total, as a fraction of it, by the scatter between places in the stream.
+    pub glitch_error: f64,
 }
 
 /// A kind of module in the hierarchy, all its instances together, without what is inside them.
@@ -103,6 +105,7 @@ impl<'l> Implementation<'l> {
         }
         let design = top.design(format)?;
         let flat = flatten(&design)?;
+        let structures = structures.fitted(library);
         let options = Options { structures, keep_units: true, ..Options::default() };
         let mut blasted = blast(&design, &flat, options);
         if library.clock_gate.is_none() {
@@ -180,9 +183,23 @@ impl<'l> Implementation<'l> {
         for (counts, _) in &windows {
             changes.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
         }
-        let by_net = |net: u32| changes[net as usize] as f64 / glitch_operations.max(1) as f64;
-        let with_glitches = self.spread(&energy::energy(&self.mapped, self.library, &self.timing, by_net));
-        EnergyReport { zero_delay, with_glitches, operations: activity.cycles, glitch_operations }
+        let with_glitches = self.with_changes(&changes, glitch_operations);
+        let totals: Vec<f64> = (windows.iter().filter(|(_, cycles)| *cycles > 0))
+            .map(|(counts, cycles)| self.with_changes(counts, *cycles).total())
+            .collect();
+        EnergyReport {
+            zero_delay,
+            with_glitches,
+            operations: activity.cycles,
+            glitch_operations,
+            glitch_error: relative_standard_error(&totals),
+        }
+    }
+
+    /// Energy of an operation by the changes of each net in so many.
+    fn with_changes(&self, changes: &[u64], operations: u64) -> Breakdown {
+        let by_net = |net: u32| changes[net as usize] as f64 / operations.max(1) as f64;
+        self.spread(&energy::energy(&self.mapped, self.library, &self.timing, by_net))
     }
 
     fn spread(&self, energy: &Energy) -> Breakdown {
@@ -220,5 +237,30 @@ impl<'l> Implementation<'l> {
             rows.into_iter().map(|(kind, row)| ModuleRow { module: kind.to_owned(), ..row }).collect();
         rows.sort_by(|a, b| b.area_um2.total_cmp(&a.area_um2).then_with(|| a.module.cmp(&b.module)));
         rows
+    }
+}
+
+/// Standard error of the mean of samples, as a fraction of it; 0 for fewer than two.
+fn relative_standard_error(samples: &[f64]) -> f64 {
+    let count = samples.len() as f64;
+    let mean = samples.iter().sum::<f64>() / count;
+    if samples.len() < 2 || mean == 0.0 {
+        return 0.0;
+    }
+    let variance = samples.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / (count - 1.0);
+    (variance / count).sqrt() / mean
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn standard_errors() {
+        assert_eq!(relative_standard_error(&[]), 0.0);
+        assert_eq!(relative_standard_error(&[3.0]), 0.0);
+        assert_eq!(relative_standard_error(&[2.0, 2.0, 2.0]), 0.0);
+        // Variance 2, error of the mean 1, mean 2.
+        assert_eq!(relative_standard_error(&[1.0, 3.0]), 0.5);
     }
 }

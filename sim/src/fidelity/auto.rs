@@ -7,7 +7,7 @@ const FIRST_PAIRS: u32 = 6;
 /// More than a sample is predicted to need, as its variance is itself estimated.
 const MARGIN: f64 = 1.3;
 /// From this share of the pixels on, the frame itself is the cheapest way to be sure.
-const WHOLE_FROM: f64 = 0.8;
+const WHOLE_FROM: f64 = 0.7;
 
 /// A step on the way, with the reason for the next one.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ pub fn auto(
     steps.push(Step { estimate, verdict });
     let mut pairs = FIRST_PAIRS;
     loop {
-        let sample = next_sample(subject, tolerance, pairs, seed);
+        let sample = next_sample(subject, tolerance, pairs, seed)?;
         let estimate = subject.estimate(Level::Transaction, &sample, &mut pixels_done)?;
         let worst = estimate.frame_ms.relative().max(estimate.energy_mj.relative());
         if estimate.is_whole() {
@@ -58,14 +58,17 @@ pub fn auto(
 }
 
 /// The sample of `pairs` strata, or the whole frame if that costs hardly more or nothing else can be within the tolerance.
-fn next_sample(subject: &Subject<'_>, tolerance: f64, pairs: u32, seed: u64) -> Sample {
+fn next_sample(
+    subject: &Subject<'_>,
+    tolerance: f64,
+    pairs: u32,
+    seed: u64,
+) -> Result<Sample, FidelityError> {
     let sample = Sample::of(pairs, seed);
-    let batches = subject.batches(sample.batch_fills);
-    let lead = (f64::from(subject.threads()) * sample.lead_fills).round() as u32;
-    let plan = batches.plan(&batches.draw(pairs, seed), lead, u32::MAX);
+    let (batches, _, plan) = subject.plan(&sample)?;
     let skipped: usize = plan.skipped.iter().map(ExactSizeIterator::len).sum();
     let timed = 1.0 - skipped as f64 / f64::from(batches.items);
-    if timed >= WHOLE_FROM || tolerance <= BIAS { Sample::ALL } else { sample }
+    Ok(if timed >= WHOLE_FROM || tolerance <= BIAS { Sample::ALL } else { sample })
 }
 
 /// Strata that bring an interval of `relative` half width within `tolerance`: its square goes with `1/n - 1/N` for `n`

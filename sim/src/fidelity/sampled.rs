@@ -4,7 +4,7 @@ use super::analytic;
 use super::batches::{Batches, Draw};
 use super::ratio::{self, Pair, Stratum};
 use super::{FidelityError, Interval, Level};
-use crate::machine::core::{CacheCounts, Counts, DramCounts, Noted, ThreadCycles, simulate_plan};
+use crate::machine::core::{CacheCounts, Counts, DramCounts, Noted, Plan, ThreadCycles, simulate_plan};
 use crate::machine::frame::{FrameMachine, FrameWork, Totals};
 use crate::machine::program::Program;
 use crate::machine::results::{Instructions, Results};
@@ -13,8 +13,8 @@ use golden::structure::Structure;
 use scenes::Scene;
 use std::time::Instant;
 
-/// What warming misses, as a fraction of what is estimated: added to both sides of an interval. The mean error of six
-/// scenes' samples is at most this (`docs/fidelity.md`).
+/// What warming misses, as a fraction of what is estimated: added to both sides of an interval. The mean error was
+/// below this in four of six scenes with a lead of half a fill (`docs/fidelity.md`).
 pub const BIAS: f64 = 0.01;
 
 /// A frame that is to be estimated.
@@ -39,7 +39,8 @@ pub struct Sample {
     pub seed: u64,
     /// Pixels of a batch, in fills of the machine: 1 is as many as there are threads.
     pub batch_fills: f64,
-    /// Pixels before each batch that are timed and not measured, in fills of the machine.
+    /// Pixels before each batch that are timed and not measured, in fills of the machine; so many times as many where pixels
+    /// live for several fills.
     pub lead_fills: f64,
     /// Whether the lines of what is left out go to the caches.
     pub warms: bool,
@@ -202,6 +203,25 @@ impl<'a> Subject<'a> {
         })
     }
 
+    /// What of the frame is timed.
+    pub(super) fn plan(&self, sample: &Sample) -> Result<(Batches, Draw, Plan), FidelityError> {
+        let batches = self.batches(sample.batch_fills);
+        let Some(pairs) = sample.pairs else {
+            let draw = Draw { strata: vec![(batches.drawable(), (1..=batches.drawable()).collect())] };
+            let plan = batches.plan(&draw, 0, 0);
+            return Ok((batches, draw, plan));
+        };
+        let line_words = self.machine.description.l2.line_words();
+        let lifetimes = Lifetimes::new(&self.work(false)?, &batches, line_words);
+        let batches = batches.with_end(lifetimes.end_batches);
+        let draw = batches.draw(pairs, sample.seed);
+        // Pixels that live long make the threads' mixture, which caches feel, take long to settle.
+        let fills = sample.lead_fills.max((sample.lead_fills * lifetimes.longest_fills).min(MOST_LEAD_FILLS));
+        let lead = (f64::from(self.threads()) * fills).round() as u32;
+        let plan = batches.plan(&draw, lead, if sample.warms { u32::MAX } else { 0 });
+        Ok((batches, draw, plan))
+    }
+
     fn timed(
         &self,
         level: Level,
@@ -211,17 +231,7 @@ impl<'a> Subject<'a> {
         let start = Instant::now();
         let work = self.work(level == Level::Rtl)?;
         let machine = &self.machine.description;
-        let batches = self.batches(sample.batch_fills);
-        let batches = match sample.pairs {
-            Some(_) => batches.with_end(end_batches(&self.work(false)?, &batches, machine.l2.line_words())),
-            None => batches,
-        };
-        let draw = match sample.pairs {
-            Some(pairs) => batches.draw(pairs, sample.seed),
-            None => Draw { strata: vec![(batches.drawable(), (1..=batches.drawable()).collect())] },
-        };
-        let lead = (f64::from(self.threads()) * sample.lead_fills).round() as u32;
-        let plan = batches.plan(&draw, lead, if sample.warms { u32::MAX } else { 0 });
+        let (batches, draw, plan) = self.plan(sample)?;
         let skipped: u32 = plan.skipped.iter().map(|range| range.len() as u32).sum();
         let (counts, noted) = simulate_plan(machine, &work.program, &work, &plan, pixels_done)?;
         let estimated = if skipped == 0 {
@@ -325,23 +335,39 @@ impl<'a> Subject<'a> {
 }
 
 /// Most batches in which the frame's end is looked for.
-const MOST_END_BATCHES: u32 = 24;
+const MOST_END_BATCHES: u32 = 16;
+/// Longest lead before a batch.
+const MOST_LEAD_FILLS: f64 = 4.0;
 
-/// Number of batches of the frame's end: from the first pixel on that may still be on its way when the counter has run out. Of
-/// those, a few long ones decide when the frame ends, and no others can stand for them.
-fn end_batches(work: &FrameWork<'_>, batches: &Batches, line_words: u32) -> u32 {
-    let looked_at: Vec<u32> = (0..batches.count).rev().take(MOST_END_BATCHES as usize).collect();
-    let asked = analytic::record(work, batches, &looked_at, line_words);
-    let instructions = |runs: &[u64]| {
-        let counts = Counts { runs: runs.to_vec(), ..Counts::default() };
-        Instructions::new(&work.program, &counts).total as f64
-    };
-    let all: f64 = asked.iter().map(|asked| instructions(&asked.runs)).sum();
-    let pixels: usize = looked_at.iter().map(|index| batches.items_of(*index).len()).sum();
-    let mean = all / pixels as f64;
-    // A pixel with so many times the mean's instructions takes the time of as many fills, if threads are equally fast.
-    let outlives = |(ahead, asked): &(usize, &analytic::Asked)| asked.longest as f64 / mean >= *ahead as f64;
-    asked.iter().enumerate().filter(outlives).map(|(ahead, _)| ahead as u32 + 1).max().unwrap_or(1)
+/// How long pixels are on their way, in fills of the machine.
+struct Lifetimes {
+    /// Mean over batches of the longest pixel's.
+    longest_fills: f64,
+    /// Batches of the frame's end: from the first pixel on that may still be on its way when the counter has run out. Of those, a
+    /// few long ones decide when the frame is over, and no others can stand for them.
+    end_batches: u32,
+}
+
+impl Lifetimes {
+    /// Those of the frame's last batches. A pixel with so many times the mean's instructions takes the time of as many fills, if
+    /// threads are equally fast.
+    fn new(work: &FrameWork<'_>, batches: &Batches, line_words: u32) -> Self {
+        let looked_at: Vec<u32> = (0..batches.count).rev().take(MOST_END_BATCHES as usize).collect();
+        let asked = analytic::record(work, batches, &looked_at, line_words);
+        let instructions = |runs: &[u64]| {
+            let counts = Counts { runs: runs.to_vec(), ..Counts::default() };
+            Instructions::new(&work.program, &counts).total as f64
+        };
+        let all: f64 = asked.iter().map(|asked| instructions(&asked.runs)).sum();
+        let pixels: usize = looked_at.iter().map(|index| batches.items_of(*index).len()).sum();
+        let fills = |asked: &analytic::Asked| asked.longest as f64 * pixels as f64 / all;
+        let outlives = |(ahead, asked): &(usize, &analytic::Asked)| fills(asked) >= *ahead as f64;
+        let ends = asked.iter().enumerate().filter(outlives).map(|(ahead, _)| ahead as u32 + 1);
+        Self {
+            longest_fills: asked.iter().map(fills).sum::<f64>() / asked.len() as f64,
+            end_batches: ends.max().unwrap_or(1),
+        }
+    }
 }
 
 impl Noted {

@@ -100,7 +100,7 @@ struct Blaster<'n> {
     options: Options,
     /// Region of each instance.
     regions: Vec<u32>,
-    /// Multiplexers whose only use is to be what another one chooses otherwise.
+    /// Multiplexers whose only use is to be one of the words that another one chooses among.
     is_inside_choice: Vec<bool>,
     /// For a node that carries the result of a module that is cut or an array: the operands' nodes and the instance.
     products: Vec<Option<Product>>,
@@ -137,14 +137,14 @@ impl<'n> Blaster<'n> {
         operands.chain(roots).chain(states).for_each(|node: NodeId| uses[node.index()] += 1);
         let mut is_inside_choice = vec![false; flat.nodes.len()];
         for node in &flat.nodes {
-            if let Op::Mux { when_false, .. } = node.op
-                && options.structures.selection == Selection::AndOr
-                && uses[when_false.index()] == 1
-                && node.width >= LEAST_CHOICE_WIDTH
-                && flat.nodes[when_false.index()].scope == node.scope
-                && matches!(flat.nodes[when_false.index()].op, Op::Mux { .. })
-            {
-                is_inside_choice[when_false.index()] = true;
+            let Op::Mux { when_true, when_false, .. } = node.op else { continue };
+            if options.structures.selection == Selection::Chain || node.width < LEAST_CHOICE_WIDTH {
+                continue;
+            }
+            for word in [when_true, when_false].map(NodeId::index) {
+                is_inside_choice[word] = uses[word] == 1
+                    && flat.nodes[word].scope == node.scope
+                    && matches!(flat.nodes[word].op, Op::Mux { .. });
             }
         }
         let regions = units.iter().map(region).collect();
@@ -261,26 +261,37 @@ impl<'n> Blaster<'n> {
 
     /// A multiplexer with those that serve it alone.
     fn choice(&mut self, position: usize) -> Vec<Lit> {
-        let mut choices = Vec::new();
-        let mut at = position;
-        let otherwise = loop {
-            let Op::Mux { select, when_true, when_false } = self.flat.nodes[at].op else {
-                unreachable!("a choice")
-            };
-            choices.push((select, when_true));
-            if !self.is_inside_choice[when_false.index()] {
-                break when_false;
-            }
-            at = when_false.index();
+        let Op::Mux { select, when_true, when_false } = self.flat.nodes[position].op else {
+            unreachable!("a choice")
         };
-        let Blasted { aig, words, .. } = &mut self.blasted;
-        let word = |id: NodeId| words[id.index()].as_slice();
-        if let [(select, when_true)] = choices.as_slice() {
-            return words::mux(aig, word(*select)[0], word(*when_true), word(otherwise));
+        if ![when_true, when_false].iter().any(|word| self.is_inside_choice[word.index()]) {
+            let Blasted { aig, words, .. } = &mut self.blasted;
+            let word = |id: NodeId| words[id.index()].as_slice();
+            return words::mux(aig, word(select)[0], word(when_true), word(when_false));
         }
+        let mut choices = Vec::new();
+        self.gather(position, Lit::TRUE, &mut choices);
+        let Blasted { aig, words, .. } = &mut self.blasted;
         let choices: Vec<(Lit, &[Lit])> =
-            choices.iter().map(|&(select, when_true)| (word(select)[0], word(when_true))).collect();
-        words::select_first(aig, &choices, word(otherwise))
+            choices.iter().map(|&(condition, word)| (condition, words[word.index()].as_slice())).collect();
+        let group = if self.options.structures.selection == Selection::AndOrThrees { 3 } else { 2 };
+        words::select_one(aig, &choices, group)
+    }
+
+    /// The words that a multiplexer chooses among if `reached`, each with its condition, of which one holds.
+    fn gather(&mut self, position: usize, reached: Lit, choices: &mut Vec<(Lit, NodeId)>) {
+        let Op::Mux { select, when_true, when_false } = self.flat.nodes[position].op else {
+            unreachable!("a choice")
+        };
+        let select = self.blasted.words[select.index()][0];
+        for (select, word) in [(select, when_true), (!select, when_false)] {
+            let condition = self.blasted.aig.and(reached, select);
+            if self.is_inside_choice[word.index()] {
+                self.gather(word.index(), condition, choices);
+            } else {
+                choices.push((condition, word));
+            }
+        }
     }
 
     fn node(&mut self, node: &FlatNode) -> Vec<Lit> {

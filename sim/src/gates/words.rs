@@ -1,6 +1,8 @@
 //! Word operators as gates. Words are least significant bit first.
 
 use super::aig::{Aig, Lit};
+use super::liberty::Library;
+use super::liberty::function::variable;
 use super::multiply;
 
 /// How sums are carried.
@@ -30,9 +32,12 @@ pub enum Multiplier {
 pub enum Selection {
     /// One multiplexer of two words behind the other, as written.
     Chain,
-    /// Conditions that exclude each other, each with a gate for every bit of its word, and an OR of those.
+    /// Conditions that exclude each other, each with a gate for every bit of its word, and an OR of those, which are joined
+    /// two at a time.
     #[default]
     AndOr,
+    /// The same, joined three at a time.
+    AndOrThrees,
 }
 
 /// The structures chosen for arithmetic and selection.
@@ -44,6 +49,21 @@ pub struct Structures {
     pub multiplier: Multiplier,
     /// For choices among three words or more.
     pub selection: Selection,
+}
+
+impl Structures {
+    /// The structures that suit a library: words are joined in threes where a cell takes three pairs.
+    #[must_use]
+    pub fn fitted(self, library: &Library) -> Self {
+        let pairs = [0, 2, 4].map(|i| variable(i) & variable(i + 1));
+        let three = pairs[0] | pairs[1] | pairs[2];
+        let has_three = [three, !three].iter().any(|&function| library.smallest(6, function).is_some());
+        let selection = match self.selection {
+            Selection::AndOr if has_three => Selection::AndOrThrees,
+            other => other,
+        };
+        Self { selection, ..self }
+    }
 }
 
 /// The word of a constant.
@@ -63,21 +83,17 @@ pub fn mux(aig: &mut Aig, select: Lit, when_true: &[Lit], when_false: &[Lit]) ->
     when_true.iter().zip(when_false).map(|(&t, &f)| aig.mux(select, t, f)).collect()
 }
 
-/// The first word whose condition holds, or else the last: `choices` and `otherwise` in order.
-pub fn select_first(aig: &mut Aig, choices: &[(Lit, &[Lit])], otherwise: &[Lit]) -> Vec<Lit> {
-    let mut free = Lit::TRUE;
-    let mut sums: Vec<Vec<Lit>> = vec![Vec::new(); otherwise.len()];
-    for &(condition, word) in choices {
-        let taken = aig.and(free, condition);
-        free = aig.and(free, !condition);
-        for (terms, &bit) in sums.iter_mut().zip(word) {
-            terms.push(aig.and(taken, bit));
-        }
-    }
-    for (terms, &bit) in sums.iter_mut().zip(otherwise) {
-        terms.push(aig.and(free, bit));
-    }
-    sums.iter().map(|terms| any(aig, terms)).collect()
+/// The word whose condition holds; one does, and no other. The words are joined `group` at a time.
+pub fn select_one(aig: &mut Aig, choices: &[(Lit, &[Lit])], group: usize) -> Vec<Lit> {
+    let width = choices.first().map_or(0, |(_, word)| word.len());
+    (0..width)
+        .map(|bit| {
+            let terms: Vec<Lit> =
+                choices.iter().map(|&(condition, word)| aig.and(condition, word[bit])).collect();
+            let joined: Vec<Lit> = terms.chunks(group).map(|terms| any(aig, terms)).collect();
+            any(aig, &joined)
+        })
+        .collect()
 }
 
 /// A gate for each pair of bits.

@@ -1,9 +1,9 @@
-//! The report as text, CSV and an HTML fragment.
+//! The report as text and as an HTML fragment.
 
+use super::numbers::parts;
 use super::{Document, PipelineRow};
 use crate::console::{fixed, table};
-use anyhow::Context;
-use sim::estimate::{Breakdown, TARGET_NODE_NM};
+use sim::estimate::{Breakdown, NodeType, TARGET_NODE_NM};
 use std::fmt::Write;
 
 /// A table with its title, in two forms.
@@ -64,55 +64,14 @@ pub fn html(sections: &[Section]) -> String {
     html
 }
 
-/// One row for each number.
-pub fn csv(document: &Document) -> anyhow::Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["pipeline", "method", "quantity", "part", "value", "unit", "source"])?;
-    for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
-        let mut row = |method: &str, quantity: &str, part: &str, value: f64, unit: &str, source: &str| {
-            writer.write_record([pipeline.name, method, quantity, part, &value.to_string(), unit, source])
-        };
-        let paper = &pipeline.published;
-        row("paper", "area", "all", paper.area_um2, "um2", "Lin et al., HPG 2020")?;
-        row("paper", "energy", "all", paper.energy_pj, "pJ", "Lin et al., HPG 2020")?;
-        for estimate in &pipeline.estimates {
-            row(estimate.method, "area", "all", estimate.area_um2, "um2", &estimate.source)?;
-            row(estimate.method, "area", "glue", estimate.glue_area_um2, "um2", &estimate.source)?;
-            row(estimate.method, "energy", "all", estimate.energy_pj, "pJ", &estimate.source)?;
-            row(estimate.method, "energy", "glue", estimate.glue_energy_pj, "pJ", &estimate.source)?;
-        }
-        let source = &document.library.source;
-        for (part, value) in parts(&pipeline.area) {
-            row("netlist", "area", &part, value, "um2", source)?;
-        }
-        for (part, value) in parts(&pipeline.energy) {
-            row("netlist", "energy", &part, value, "fJ", source)?;
-        }
-        for (part, value) in parts(&pipeline.energy_with_glitches) {
-            row("netlist", "energy with glitches", &part, value, "fJ", source)?;
-        }
-    }
-    writer.into_inner().context("estimate.csv")
-}
-
-fn parts(breakdown: &Breakdown) -> Vec<(String, f64)> {
-    let units = breakdown.units.iter().map(|(unit, value)| (format!("{unit:?}"), *value));
-    let rest = [
-        ("glue", breakdown.glue),
-        ("registers", breakdown.registers),
-        ("clock", breakdown.clock),
-        ("inputs", breakdown.inputs),
-    ];
-    units.chain(rest.map(|(part, value)| (part.to_owned(), value))).collect()
-}
-
 /// What is printed, in order.
 pub fn sections(document: &Document) -> Vec<Section> {
     let mut sections = vec![comparison(document), ratios(document)];
     sections.push(breakdowns(document));
     sections.push(node_types(document));
+    sections.push(scenes(document));
     for pipeline in &document.pipelines {
-        sections.push(modules(pipeline));
+        sections.push(modules(document, pipeline));
     }
     sections.push(alternatives(document));
     if !document.synthesis.is_empty() {
@@ -220,7 +179,7 @@ fn breakdowns(document: &Document) -> Section {
     for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
         notes.push(format!(
             "{}: {} cells, {} flip-flops, critical path {:.3} ns ({:.0} MHz), leakage {:.1} uW; energy of {} operations, with \
-             glitches of {}.",
+             glitches of {} (standard error {:.1} %).",
             pipeline.name,
             pipeline.cells,
             pipeline.registers,
@@ -228,7 +187,8 @@ fn breakdowns(document: &Document) -> Section {
             pipeline.clock_mhz,
             pipeline.leakage_uw,
             pipeline.operations,
-            pipeline.glitch_operations
+            pipeline.glitch_operations,
+            100.0 * pipeline.glitch_error
         ));
     }
     let header = ["pipeline", "part", "um2", "%", "pJ", "%", "pJ with glitches", "%"];
@@ -264,11 +224,53 @@ fn node_types(document: &Document) -> Section {
         "pJ all",
         "pJ all with glitches",
     ];
-    let note = "Operations of one type back to back, in the order of the rays.".to_owned();
+    let note = sentence(&document.provenance["node_types"]);
     section("Energy of an operation by type of node, in the library", header, rows, vec![note])
 }
 
-fn modules(pipeline: &PipelineRow) -> Section {
+fn scenes(document: &Document) -> Section {
+    let rows = document.scenes.iter().map(|row| {
+        let share = |wanted: NodeType| {
+            let found = row.node_types.iter().find(|(node_type, _)| *node_type == wanted);
+            found.map_or_else(String::new, |(_, share)| fixed(100.0 * share, 1))
+        };
+        let [split, single, dual, leaf] = NodeType::ALL.map(share);
+        [
+            row.scene.clone(),
+            row.pipeline.to_owned(),
+            split,
+            single,
+            dual,
+            leaf,
+            fixed(row.energy.logic() / 1e3, 3),
+            fixed(row.energy.total() / 1e3, 3),
+            fixed(row.energy_with_glitches.total() / 1e3, 3),
+            fixed(100.0 * row.glitch_error, 1),
+        ]
+    });
+    let header = [
+        "scene",
+        "pipeline",
+        "% split",
+        "% single carve",
+        "% dual carve",
+        "% leaf",
+        "pJ units and glue",
+        "pJ all",
+        "pJ all with glitches",
+        "standard error %",
+    ];
+    let note = sentence(&document.provenance["scenes"]);
+    section("Energy of an operation by scene, in the library", header, rows.collect(), vec![note])
+}
+
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).chain(std::iter::once('.')).collect()
+}
+
+fn modules(document: &Document, pipeline: &PipelineRow) -> Section {
     let rows = pipeline.modules.iter().map(|row| {
         [
             row.module.clone(),
@@ -282,7 +284,8 @@ fn modules(pipeline: &PipelineRow) -> Section {
         ]
     });
     let header = ["module", "instances", "cells", "um2", "flip-flops", "um2 of those", "levels", "latest ns"];
-    section(format!("Modules of {}", pipeline.name), header, rows.collect(), Vec::new())
+    let note = sentence(&document.provenance["modules"]);
+    section(format!("Modules of {}", pipeline.name), header, rows.collect(), vec![note])
 }
 
 fn alternatives(document: &Document) -> Section {
@@ -296,7 +299,8 @@ fn alternatives(document: &Document) -> Section {
         ]
     });
     let header = ["question", "alternative", "built", "gate equivalents", "fJ"];
-    section("Glue of the dual-split pipeline: alternatives", header, rows.collect(), Vec::new())
+    let note = sentence(&document.provenance["alternatives"]);
+    section("Glue of the dual-split pipeline: alternatives", header, rows.collect(), vec![note])
 }
 
 fn synthesis(document: &Document) -> Section {

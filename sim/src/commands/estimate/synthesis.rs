@@ -5,6 +5,8 @@ use anyhow::{Context, bail, ensure};
 use hdl::verilog::text;
 use serde::Serialize;
 use sim::estimate::Implementation;
+use sim::gates::liberty::Library;
+use sim::gates::words::Structures;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -46,15 +48,13 @@ fn rows(
     std::fs::write(&library, sim::gates::liberty::file_text(liberty)?)?;
     let mut rows = Vec::new();
     for implementation in implementations {
-        let area = implementation.area();
-        rows.push(SynthesisRow {
-            pipeline: implementation.top.name(),
-            flow: "ours".to_owned(),
-            cells: implementation.mapped.gates.len() + implementation.mapped.registers.len(),
-            logic_area_um2: area.logic() + area.clock,
-            register_area_um2: area.registers,
-            critical_path_ns: Some(implementation.timing.critical_path_ns),
-        });
+        rows.push(ours(implementation, "ours".to_owned()));
+        if implementation.library.clock_gate.is_some() {
+            let multiplexed = Library { clock_gate: None, ..implementation.library.clone() };
+            let structures = Structures::default();
+            let same = Implementation::new(implementation.top, &multiplexed, structures)?;
+            rows.push(ours(&same, "ours, a multiplexer for each enable".to_owned()));
+        }
         let wheel = spinner(format!("yosys and ABC on {}", implementation.top));
         let log = yosys(implementation, folder)?;
         wheel.finish_and_clear();
@@ -63,13 +63,34 @@ fn rows(
     Ok(rows)
 }
 
+fn ours(implementation: &Implementation, flow: String) -> SynthesisRow {
+    let area = implementation.area();
+    SynthesisRow {
+        pipeline: implementation.top.name(),
+        flow,
+        cells: implementation.mapped.gates.len() + implementation.mapped.registers.len(),
+        logic_area_um2: area.logic() + area.clock,
+        register_area_um2: area.registers,
+        critical_path_ns: Some(implementation.timing.critical_path_ns),
+    }
+}
+
+/// The log of synthesis; with a driving cell and a load, ABC sizes cells and tells the delay.
 fn yosys(implementation: &Implementation, folder: &Path) -> anyhow::Result<String> {
     let top = implementation.top.name();
     std::fs::write(folder.join(format!("{top}.v")), text(&implementation.design))?;
-    // The pass that shares resources takes all memory on floating-point adders.
+    let library = implementation.library;
+    let inverter = &library.cells[library.inverter()];
+    let load_ff = 4.0 * inverter.capacitance_ff[0];
+    let constraint = format!("set_driving_cell {}\nset_load {load_ff}\n", inverter.name);
+    std::fs::write(folder.join("cells.constr"), constraint)?;
+    // The pass that shares resources takes all memory on floating-point adders. Flip-flops of libraries have no initial
+    // value; reset is the pipeline's empty state.
     let script = format!(
-        "read_verilog {top}.v; synth -flatten -noshare -top {top}; dfflegalize -cell $_DFF_P_ x; \
-         dfflibmap -liberty cells.lib; abc -liberty cells.lib -D 1000; opt_clean; tee -o {top}.stat stat -liberty cells.lib"
+        "read_verilog {top}.v; synth -flatten -noshare -top {top}; setattr -unset init w:*; \
+         dfflegalize -cell $_DFF_P_ x; dfflibmap -liberty cells.lib; \
+         abc -liberty cells.lib -constr cells.constr -D 1000; opt_clean; \
+         tee -o {top}.stat stat -liberty cells.lib"
     );
     let output = Command::new("yosys")
         .args(["-p", &script])
@@ -97,8 +118,9 @@ fn parse(implementation: &Implementation, log: &str, flow: String) -> anyhow::Re
     ensure!(!statistics.contains("$_"), "--synth: yosys left cells unmapped; its library lacks some");
     let registers: f64 = (statistics.lines())
         .filter(|line| line.split_whitespace().next() == Some(flip_flop.name.as_str()))
-        .filter_map(number)
+        .filter_map(|line| line.split_whitespace().nth(1)?.parse::<f64>().ok())
         .sum();
+    ensure!(registers > 0.0, "--synth: yosys uses other flip-flops than {}", flip_flop.name);
     let register_area_um2 = registers * flip_flop.area_um2;
     let delay = log.rfind("Delay = ").and_then(|at| number(&log[at + 7..]));
     Ok(SynthesisRow {

@@ -71,7 +71,7 @@ fn smoke() -> Vec<Stage> {
         Stage::new(
             "fidelity",
             1.0,
-            "chart fidelity statue --detail 0.0005 --size 40x40 --repeats 1 --quality fast --rtl false \
+            "chart fidelity statue --detail 0.0005 --size 24x24 --repeats 1 --quality fast --rtl false \
              --set chip.l2_partitions=1 --set chip.tms_per_partition=1 --out OUT",
         ),
         Stage::new(
@@ -99,7 +99,7 @@ fn quick() -> Vec<Stage> {
             30.0,
             &format!("chart fidelity courtyard --detail 0.01 --size 64x64 --repeats 2 {SMALL} --out OUT"),
         ),
-        Stage::new("stress", 15.0, "stress --rays 40 --aimed 8000 --searches 2 --out OUT"),
+        Stage::new("stress", 15.0, "stress --rays 20 --aimed 4000 --searches 1 --out OUT"),
     ];
     stages.extend(needs(2.0, |scene| format!("needs {scene} --detail 0.01 --size 24x24 --out OUT")));
     stages

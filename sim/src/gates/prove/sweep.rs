@@ -61,6 +61,22 @@ pub struct Proof {
     pub conflicts: u64,
 }
 
+impl Proof {
+    /// The verdict on all of several cases, or the first that is not equality, and what they took together.
+    #[must_use]
+    pub fn of_cases(proofs: &[Self]) -> Self {
+        let sum = |number: fn(&Self) -> u64| proofs.iter().map(number).sum();
+        let open = proofs.iter().find(|proof| proof.verdict != Verdict::Equal);
+        Self {
+            verdict: open.map_or(Verdict::Equal, |proof| proof.verdict.clone()),
+            nodes: proofs.iter().map(|proof| proof.nodes).sum(),
+            merged: proofs.iter().map(|proof| proof.merged).sum(),
+            queries: sum(|proof| proof.queries),
+            conflicts: sum(|proof| proof.conflicts),
+        }
+    }
+}
+
 /// Proves that the literals of each pair are equal for all values of inputs and latches.
 #[must_use]
 pub fn prove(aig: &Aig, pairs: &[(Lit, Lit)], limits: Limits) -> Proof {

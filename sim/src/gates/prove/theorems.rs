@@ -12,7 +12,7 @@ use super::combinational::{CombinationalError, combinational};
 use super::miter::copy;
 use super::reference::pipelines::{Claim, Control};
 use super::reference::{exact, order};
-use super::sweep::{Limits, Proof, Verdict, prove};
+use super::sweep::{Limits, Proof, prove};
 use crate::gates::aig::{Aig, Lit, Node};
 use crate::gates::blast::{ARITHMETIC, Arrays, Cut, Options, blast};
 use crate::gates::words::{Adder, Multiplier, Structures};
@@ -76,15 +76,7 @@ impl Theorem {
                 proof
             })
             .collect();
-        let sum = |number: fn(&Proof) -> u64| proofs.iter().map(number).sum();
-        let open = proofs.iter().find(|proof| proof.verdict != Verdict::Equal);
-        Proof {
-            verdict: open.map_or(Verdict::Equal, |proof| proof.verdict.clone()),
-            nodes: proofs.iter().map(|proof| proof.nodes).sum(),
-            merged: proofs.iter().map(|proof| proof.merged).sum(),
-            queries: sum(|proof| proof.queries),
-            conflicts: sum(|proof| proof.conflicts),
-        }
+        Proof::of_cases(&proofs)
     }
 
     /// `top` in `format` as a function of its inputs, against its reference; adders and multipliers of a pipeline are
@@ -142,7 +134,7 @@ impl Theorem {
 }
 
 /// A design as a function of its inputs, in enabled cycles.
-fn function(design: &Design, cuts: &'static [Cut]) -> Result<Aig, TheoremError> {
+pub(super) fn function(design: &Design, cuts: &'static [Cut]) -> Result<Aig, TheoremError> {
     let options = Options {
         structures: Structures {
             adder: Adder::Ripple,
@@ -179,7 +171,7 @@ fn exponent_cases(format: Format) -> Vec<Vec<(String, bool)>> {
 }
 
 /// The bits called `name`, or `name[0]`, `name[1]`, ...
-fn word(name: &str, find: impl Fn(&str) -> Option<Lit>) -> Vec<Lit> {
+pub(super) fn word(name: &str, find: impl Fn(&str) -> Option<Lit>) -> Vec<Lit> {
     match find(name) {
         Some(lit) => vec![lit],
         None => (0..).map_while(|bit| find(&format!("{name}[{bit}]"))).collect(),

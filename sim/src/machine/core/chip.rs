@@ -3,7 +3,7 @@
 use super::dram::{Dram, Read, Requester};
 use super::l1::Access;
 use super::l2::L2;
-use super::outstanding::Arrival;
+use super::outstanding::UNKNOWN;
 use super::plan::{Noted, Plan, loads};
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
 use super::tm::{QUANTUM, Request, Tm};
@@ -66,7 +66,8 @@ struct Chip<'a, W> {
     now: u32,
     /// Cycles of a quantum.
     length: u32,
-    requests: Vec<Request>,
+    /// What is asked of the chip, by slot of the quantum.
+    requests: [Vec<Request>; QUANTUM],
     no_more: Conditions,
     line_shift: u32,
     plan: &'a Plan,
@@ -121,7 +122,7 @@ pub fn simulate_plan<W: Work>(
         next_item: 0,
         now: 0,
         length: Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32),
-        requests: vec![],
+        requests: Default::default(),
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
         plan,
@@ -237,69 +238,96 @@ impl<W: Work> Chip<'_, W> {
     /// Serves what multiprocessors ask in the order of time.
     fn serve(&mut self, start: u32) {
         let mut requests = std::mem::take(&mut self.requests);
-        self.seats.iter_mut().for_each(|seat| requests.append(&mut seat.tm.outbox));
+        for seat in &mut self.seats {
+            seat.tm
+                .outbox
+                .drain(..)
+                .for_each(|request| requests[(request.cycle - start) as usize].push(request));
+        }
         // In one cycle, multiprocessors come in ring order from another one each time.
         let (count, first) = (self.seats.len() as u32, start / self.length);
-        requests
-            .sort_by_key(|request| (request.cycle, (u32::from(request.tm) + count - first % count) % count));
-        requests.drain(..).for_each(|request| self.serve_one(request, start));
+        for slot in 0..self.length as usize {
+            let mut now = std::mem::take(&mut requests[slot]);
+            now.sort_by_key(|request| (u32::from(request.tm) + count - first % count) % count);
+            for mut request in now.drain(..) {
+                if self.serve_one(request, slot) {
+                    continue;
+                }
+                let tm = &mut self.seats[usize::from(request.tm)].tm;
+                // Nothing else can happen to its thread before it tries again.
+                if slot + 1 < self.length as usize {
+                    tm.cycles.memory += 1;
+                    request.cycle += 1;
+                    requests[slot + 1].push(request);
+                } else {
+                    tm.refused(request);
+                }
+            }
+            requests[slot] = now;
+        }
         self.requests = requests;
     }
 
-    fn serve_one(&mut self, request: Request, start: u32) {
+    /// Serves a request of this slot, or refuses it, as a cache bank is taken or a memory queue full.
+    fn serve_one(&mut self, request: Request, slot: usize) -> bool {
         let (number, program, now) = (usize::from(request.tm), self.program, request.cycle);
         if request.kind == Kind::Counter {
             let item = self.take_item(request);
             let seat = &mut self.seats[number];
             seat.items[usize::from(request.thread)] = item;
-            return seat.tm.served(program, request, now + 1);
+            seat.tm.served(program, request, now + 1);
+            return true;
         }
         let seat = &mut self.seats[number];
         let tm = &mut seat.tm;
-        let slot = (now - start) as usize;
         let again = match request.kind {
             Kind::Load => tm.load_now(program, request, slot),
             _ => tm.l1.store_now(slot, request.address),
         };
         match again {
-            Access::Served(ready) => return tm.served(program, request, ready),
-            Access::Refused => return tm.refused(request),
+            Access::Served(ready) => {
+                tm.served(program, request, ready);
+                return true;
+            }
+            Access::Refused => return false,
             Access::Ask => {}
         }
         let l2 = &mut self.l2s[number / self.machine.chip.tms_per_partition as usize];
         if !l2.is_free(slot, request.address) {
-            return tm.refused(request);
+            return false;
         }
         let line = request.address >> self.line_shift;
         self.dram.advance(now);
         if request.kind == Kind::Store {
             if !self.dram.write(now, line) {
-                return tm.refused(request);
+                return false;
             }
             l2.take(slot, request.address);
             l2.counts.stores += 1;
             tm.l1.stored(slot, request.address);
-            return tm.served(program, request, now + 1);
+            tm.served(program, request, now + 1);
+            return true;
         }
-        let hit = l2.hit(line);
+        let hit = l2.hit(now, line);
+        let from_l2 = self.machine.l2.latency_cycles + self.machine.l1.latency_cycles;
         let arrival = if hit {
-            let filled = now + self.machine.l2.latency_cycles;
-            Arrival { filled, usable: filled + self.machine.l1.latency_cycles }
+            now + from_l2
         } else {
             match self.dram.read(now, line, Requester { tm: number as u16 }) {
-                Read::Refused => return tm.refused(request),
-                Read::Queued => Arrival::NOT_KNOWN,
+                Read::Refused => return false,
+                Read::Queued => UNKNOWN,
                 Read::Arrives(cycle) => {
                     l2.arrives(line, cycle);
-                    Arrival::from_memory(cycle)
+                    cycle + from_l2
                 }
             }
         };
         l2.take(slot, request.address);
         l2.counts.loads += 1;
         l2.counts.hits += u64::from(hit);
-        let ready = tm.taken(program, request, slot, arrival);
-        tm.served(program, request, ready);
+        tm.taken(program, request, slot, arrival);
+        tm.served(program, request, arrival);
+        true
     }
 
     /// The next item that is timed; threads that find nothing left leave the counter where it is.

@@ -1,17 +1,16 @@
 //! The first-level cache of a multiprocessor.
 
-use super::outstanding::{Arrival, Outstanding, UNKNOWN, Waiter};
+use super::lines::Lines;
+use super::outstanding::{Outstanding, UNKNOWN, Waiter};
 use super::stats::CacheCounts;
-use super::tags::Tags;
 use super::tm::QUANTUM;
 use crate::machine::description::MachineDescription;
 use crate::machine::program::Register;
-use std::collections::VecDeque;
 
 /// A multiprocessor's data cache. Times within the current quantum are slots.
 #[derive(Clone, Debug)]
 pub struct L1 {
-    tags: Tags,
+    lines: Lines,
     enabled: bool,
     latency: u32,
     bank_mask: u32,
@@ -21,8 +20,6 @@ pub struct L1 {
     /// Banks that a request to the chip takes if it is served, by slot.
     asked: [u64; QUANTUM],
     outstanding: Outstanding,
-    /// Lines whose time of arrival is known, in its order.
-    fills: VecDeque<(u32, u32)>,
     /// What happened.
     pub counts: CacheCounts,
 }
@@ -51,7 +48,7 @@ impl L1 {
     pub fn new(machine: &MachineDescription) -> Self {
         let cache = &machine.l1;
         Self {
-            tags: Tags::new(cache),
+            lines: Lines::new(cache),
             enabled: cache.enabled,
             latency: cache.latency_cycles,
             bank_mask: cache.banks - 1,
@@ -59,7 +56,6 @@ impl L1 {
             busy: [0; QUANTUM],
             asked: [0; QUANTUM],
             outstanding: Outstanding::default(),
-            fills: VecDeque::new(),
             counts: CacheCounts::default(),
         }
     }
@@ -69,23 +65,13 @@ impl L1 {
     pub fn begin(&mut self, start: u32) {
         self.busy = [0; QUANTUM];
         self.asked = [0; QUANTUM];
-        while let Some(&(arrival, line)) = self.fills.front() {
-            if arrival > start {
-                break;
-            }
-            self.fills.pop_front();
-            self.tags.fill(line);
-            self.outstanding.remove_arrived(line, arrival);
-        }
+        let outstanding = &mut self.outstanding;
+        self.lines.begin(start, |line, arrival| outstanding.remove_arrived(line, arrival));
     }
 
     /// Holds `line` from now on, in no time; whether it did before.
     pub fn warm(&mut self, line: u32) -> bool {
-        let held = self.tags.hit(line);
-        if !held {
-            self.tags.fill(line);
-        }
-        held
+        self.lines.warm(line)
     }
 
     #[inline(always)]
@@ -115,49 +101,33 @@ impl L1 {
             return Access::Refused;
         }
         let line = address >> self.line_shift;
-        if self.holds(now, line) {
+        if self.lines.holds(now, line) {
             self.counts.loads += 1;
             self.counts.hits += 1;
             self.busy[slot] |= bank;
             return Access::Served(now + self.latency);
         }
         match self.outstanding.arrival(line) {
-            Some(arrival) if arrival.filled > now => {
+            Some(arrival) if arrival > now => {
                 self.counts.loads += 1;
                 self.counts.joined += 1;
                 self.busy[slot] |= bank;
-                Access::Served(self.wait(now, line, arrival, target))
+                if arrival == UNKNOWN {
+                    self.wait(line, target);
+                    return Access::Served(UNKNOWN);
+                }
+                Access::Served(arrival + self.latency)
             }
             // It has been replaced since.
             _ => Access::Ask,
         }
     }
 
-    /// Whether `line` is held in cycle `now`: what has arrived since the quantum began counts.
-    #[inline(always)]
-    fn holds(&mut self, now: u32, line: u32) -> bool {
-        if self.fills.front().is_some_and(|(filled, _)| *filled <= now) && self.tags.is_enabled() {
-            let arrived = self.fills.iter().rev().filter(|(filled, _)| *filled <= now);
-            for &(_, other) in arrived {
-                if other == line {
-                    return true;
-                }
-                if self.tags.compete(other, line) {
-                    return false;
-                }
-            }
+    /// The registers of `target` wait for `line`, whose time of arrival is not known.
+    fn wait(&mut self, line: u32, target: Target<'_>) {
+        for &register in target.registers {
+            self.outstanding.wait(line, Waiter { thread: target.thread, register });
         }
-        self.tags.hit(line)
-    }
-
-    fn wait(&mut self, now: u32, line: u32, arrival: Arrival, target: Target<'_>) -> u32 {
-        if arrival.usable == UNKNOWN {
-            for &register in target.registers {
-                self.outstanding.wait(line, Waiter { thread: target.thread, register });
-            }
-            return UNKNOWN;
-        }
-        arrival.usable.max(now + self.latency)
     }
 
     /// A store to `address` in slot `slot`: refused, or to be passed on to the chip.
@@ -181,23 +151,17 @@ impl L1 {
         Access::Ask
     }
 
-    /// The chip has taken a load. Returns when its result can be used.
-    pub fn taken(
-        &mut self,
-        now: u32,
-        slot: usize,
-        address: u32,
-        arrival: Arrival,
-        target: Target<'_>,
-    ) -> u32 {
+    /// The chip has taken a load, whose line arrives in cycle `arrival`.
+    pub fn taken(&mut self, now: u32, slot: usize, address: u32, arrival: u32, target: Target<'_>) {
         let line = address >> self.line_shift;
         self.counts.loads += 1;
         self.busy[slot] |= self.bank(address);
         self.outstanding.insert(now, line, arrival);
-        if arrival.filled != UNKNOWN {
-            self.fill_at(arrival.filled, line);
+        if arrival == UNKNOWN {
+            self.wait(line, target);
+        } else {
+            self.lines.arrives(line, arrival);
         }
-        self.wait(now, line, arrival, target)
     }
 
     /// The chip has taken a store.
@@ -206,15 +170,10 @@ impl L1 {
         self.busy[slot] |= self.bank(address);
     }
 
-    fn fill_at(&mut self, arrival: u32, line: u32) {
-        let at = self.fills.partition_point(|(other, _)| *other <= arrival);
-        self.fills.insert(at, (arrival, line));
-    }
-
     /// It is known now when `line` arrives; `wake` is called for everyone who waits for it.
-    pub fn arrives(&mut self, line: u32, arrival: Arrival, wake: impl FnMut(Waiter)) {
+    pub fn arrives(&mut self, line: u32, arrival: u32, wake: impl FnMut(Waiter)) {
         if self.outstanding.arrives(line, arrival, wake) {
-            self.fill_at(arrival.filled, line);
+            self.lines.arrives(line, arrival);
         }
     }
 }

@@ -1,20 +1,17 @@
 //! The second-level cache of a partition.
 
+use super::lines::Lines;
 use super::stats::CacheCounts;
-use super::tags::Tags;
 use super::tm::QUANTUM;
 use crate::machine::description::Cache;
-use std::collections::VecDeque;
 
 /// A partition's cache.
 #[derive(Clone, Debug)]
 pub struct L2 {
-    tags: Tags,
+    lines: Lines,
     bank_mask: u32,
     /// Banks that are taken, by slot of the quantum.
     busy: [u64; QUANTUM],
-    /// Lines on their way from memory, in the order of arrival.
-    fills: VecDeque<(u32, u32)>,
     /// What happened.
     pub counts: CacheCounts,
 }
@@ -22,10 +19,9 @@ pub struct L2 {
 impl L2 {
     pub fn new(cache: &Cache) -> Self {
         Self {
-            tags: Tags::new(cache),
+            lines: Lines::new(cache),
             bank_mask: cache.banks - 1,
             busy: [0; QUANTUM],
-            fills: VecDeque::new(),
             counts: CacheCounts::default(),
         }
     }
@@ -33,19 +29,12 @@ impl L2 {
     /// Begins the quantum at cycle `start`: what has arrived by then is filled.
     pub fn begin(&mut self, start: u32) {
         self.busy = [0; QUANTUM];
-        while let Some(&(cycle, line)) = self.fills.front() {
-            if cycle > start {
-                break;
-            }
-            self.fills.pop_front();
-            self.tags.fill(line);
-        }
+        self.lines.begin(start, |_, _| {});
     }
 
     /// It is known that `line` arrives from memory in cycle `cycle`.
     pub fn arrives(&mut self, line: u32, cycle: u32) {
-        let at = self.fills.partition_point(|(other, _)| *other <= cycle);
-        self.fills.insert(at, (cycle, line));
+        self.lines.arrives(line, cycle);
     }
 
     /// Whether the bank of word `address` is free in slot `slot`.
@@ -68,13 +57,11 @@ impl L2 {
 
     /// Holds `line` from now on, in no time.
     pub fn warm(&mut self, line: u32) {
-        if !self.tags.hit(line) {
-            self.tags.fill(line);
-        }
+        self.lines.warm(line);
     }
 
-    /// Whether `line` is held.
-    pub fn hit(&mut self, line: u32) -> bool {
-        self.tags.hit(line)
+    /// Whether `line` is held in cycle `now`.
+    pub fn hit(&mut self, now: u32, line: u32) -> bool {
+        self.lines.holds(now, line)
     }
 }

@@ -8,6 +8,7 @@ mod chip;
 mod dram;
 mod l1;
 mod l2;
+mod lines;
 mod outstanding;
 mod plan;
 mod stats;

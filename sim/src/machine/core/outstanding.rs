@@ -12,29 +12,11 @@ pub struct Waiter {
     pub register: u8,
 }
 
-/// When a line arrives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Arrival {
-    /// Cycle from which on the cache holds the line, or [`UNKNOWN`].
-    pub filled: u32,
-    /// Cycle from which on whoever waits for it can use the data, or [`UNKNOWN`].
-    pub usable: u32,
-}
-
-impl Arrival {
-    /// Not known yet.
-    pub const NOT_KNOWN: Self = Self { filled: UNKNOWN, usable: UNKNOWN };
-
-    /// From memory in `cycle`: what waits for the line gets it at once.
-    pub fn from_memory(cycle: u32) -> Self {
-        Self { filled: cycle, usable: cycle }
-    }
-}
-
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     line: u32,
-    arrival: Arrival,
+    /// Cycle from which on the cache holds the line, or [`UNKNOWN`].
+    arrival: u32,
     /// First of a chain in `waiters`, or [`NONE`].
     first: u32,
 }
@@ -52,13 +34,13 @@ pub struct Outstanding {
 impl Outstanding {
     /// When `line` arrives, if it is under way.
     #[inline]
-    pub fn arrival(&self, line: u32) -> Option<Arrival> {
+    pub fn arrival(&self, line: u32) -> Option<u32> {
         self.entries.iter().find(|entry| entry.line == line).map(|entry| entry.arrival)
     }
 
     /// Notes that `line` is under way in cycle `now`.
     #[inline]
-    pub fn insert(&mut self, now: u32, line: u32, arrival: Arrival) {
+    pub fn insert(&mut self, now: u32, line: u32, arrival: u32) {
         self.remove_arrived(line, now);
         self.entries.push(Entry { line, arrival, first: NONE });
     }
@@ -81,7 +63,7 @@ impl Outstanding {
 
     /// It is known now when `line` arrives; passes everyone who waits for it. False if nobody has asked.
     #[inline]
-    pub fn arrives(&mut self, line: u32, arrival: Arrival, mut wake: impl FnMut(Waiter)) -> bool {
+    pub fn arrives(&mut self, line: u32, arrival: u32, mut wake: impl FnMut(Waiter)) -> bool {
         let Some(entry) = self.entries.iter_mut().find(|entry| entry.line == line) else {
             return false;
         };
@@ -99,9 +81,7 @@ impl Outstanding {
     /// Removes `line` if it has arrived by cycle `now`; if not, it has been asked for again since.
     #[inline]
     pub fn remove_arrived(&mut self, line: u32, now: u32) {
-        if let Some(at) =
-            self.entries.iter().position(|entry| entry.line == line && entry.arrival.filled <= now)
-        {
+        if let Some(at) = self.entries.iter().position(|entry| entry.line == line && entry.arrival <= now) {
             self.entries.swap_remove(at);
         }
     }

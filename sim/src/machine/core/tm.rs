@@ -10,7 +10,7 @@
 //! that nothing asked for within a quantum arrives from there within it.
 
 use super::l1::{Access, L1, Target};
-use super::outstanding::{Arrival, UNKNOWN, Waiter};
+use super::outstanding::{UNKNOWN, Waiter};
 use super::stats::ThreadCycles;
 use crate::machine::description::MachineDescription;
 use crate::machine::program::{
@@ -74,6 +74,8 @@ pub struct Thread {
     pub at: usize,
     /// Index behind the current run's addresses.
     next: usize,
+    /// First entry of its instruction cache in a slot of [`Tm::fetches`].
+    fetch_base: u16,
     /// Words of a load that are under way already, where it reaches into a second line.
     part: u8,
 }
@@ -85,8 +87,6 @@ pub struct Tm {
     /// The threads.
     pub threads: Vec<Thread>,
     halted: u32,
-    icaches: usize,
-    icache_banks: usize,
     /// Binary logarithm of the entries of `fetches` for a slot.
     fetch_shift: u32,
     line_words: u32,
@@ -131,14 +131,17 @@ impl Tm {
             tape: vec![],
             at: 0,
             next: 0,
+            fetch_base: 0,
             part: 0,
         };
+        let mut threads = vec![thread; machine.tm.threads as usize];
+        for (number, thread) in threads.iter_mut().enumerate() {
+            thread.fetch_base = (number as u32 % icache.caches * icache.banks) as u16;
+        }
         Self {
             number,
-            threads: vec![thread; machine.tm.threads as usize],
+            threads,
             halted: 0,
-            icaches: icache.caches as usize,
-            icache_banks: icache.banks as usize,
             fetch_shift,
             line_words: machine.l1.line_words(),
             fetches: fetches_full.clone(),
@@ -167,7 +170,7 @@ impl Tm {
     /// It is known now that `line` arrives in cycle `arrival`.
     pub fn arrives(&mut self, line: u32, arrival: u32) {
         let (threads, cycles) = (&mut self.threads, &mut self.cycles);
-        self.l1.arrives(line, Arrival::from_memory(arrival), |Waiter { thread, register }| {
+        self.l1.arrives(line, arrival, |Waiter { thread, register }| {
             let thread = &mut threads[usize::from(thread)];
             thread.ready[usize::from(register) % ENTRIES] = arrival;
             if thread.state == State::Parked {
@@ -204,36 +207,33 @@ impl Tm {
     }
 
     /// Runs a thread until the end of the quantum, or until it has to wait for the chip.
+    #[inline]
     pub fn run(&mut self, program: &Program, number: usize, start: u32, end: u32) {
-        let thread = &mut self.threads[number];
+        let thread = &self.threads[number];
         if thread.state != State::Runs || thread.time >= end {
             return;
         }
-        let mut cycles = ThreadCycles::default();
-        let fetch_base = number % self.icaches * self.icache_banks;
         loop {
             let tables = Tables {
-                fetches: &mut self.fetches[fetch_base..],
+                fetches: &mut self.fetches,
                 fetch_shift: self.fetch_shift,
                 units: &mut self.units,
                 start,
                 end,
             };
-            if !self.threads[number].simple_ops(&program.ops, tables, &mut cycles)
-                || !self.other_op(program, number, start, &mut cycles)
+            if !self.threads[number].simple_ops(&program.ops, tables, &mut self.cycles)
+                || !self.other_op(program, number, start)
             {
                 break;
             }
         }
-        cycles.issue -= cycles.nop;
-        self.cycles.merge(&cycles);
     }
 
     /// Issues the operation that a thread has fetched, whose operands are ready and whose unit is free; it is not a simple
     /// one. Returns whether the thread goes on.
     #[inline(never)]
-    fn other_op(&mut self, program: &Program, number: usize, start: u32, cycles: &mut ThreadCycles) -> bool {
-        let thread = &mut self.threads[number];
+    fn other_op(&mut self, program: &Program, number: usize, start: u32) -> bool {
+        let (thread, cycles) = (&mut self.threads[number], &mut self.cycles);
         let now = thread.time;
         let slot = (now - start) as usize % QUANTUM;
         let op = &program.ops[thread.pc as usize];
@@ -287,8 +287,11 @@ impl Tm {
             }
         };
         *left -= 1;
-        cycles.issue += 1;
-        cycles.nop += u64::from(op.kind == Kind::Nop);
+        if op.kind == Kind::Nop {
+            cycles.nop += 1;
+        } else {
+            cycles.issue += 1;
+        }
         if op.operands == 0 {
             thread.ready[usize::from(op.write) % ENTRIES] = ready;
         } else if op.kind != Kind::Load {
@@ -346,12 +349,12 @@ impl Tm {
         self.l1.load_now(request.cycle, slot, request.address, target)
     }
 
-    /// The chip has taken the load of a request. Returns when its result can be used.
-    pub fn taken(&mut self, program: &Program, request: Request, slot: usize, arrival: Arrival) -> u32 {
+    /// The chip has taken the load of a request, whose line arrives in cycle `arrival`.
+    pub fn taken(&mut self, program: &Program, request: Request, slot: usize, arrival: u32) {
         let (thread, op) = self.asking(program, request);
         let registers = thread.targets(program, op, request.address, self.line_words);
         let target = Target { thread: request.thread, registers };
-        self.l1.taken(request.cycle, slot, request.address, arrival, target)
+        self.l1.taken(request.cycle, slot, request.address, arrival, target);
     }
 
     fn asking<'p>(&self, program: &'p Program, request: Request) -> (&Thread, &'p MicroOp) {
@@ -386,7 +389,7 @@ impl Tm {
 
 /// What the threads of a multiprocessor take from, cycle by cycle of a quantum.
 struct Tables<'a> {
-    /// Fetches left, from the thread's instruction cache on; slots are `1 << fetch_shift` apart.
+    /// Fetches left; slots are `1 << fetch_shift` apart.
     fetches: &'a mut [u8],
     fetch_shift: u32,
     /// Units left, by slot and pool.
@@ -399,11 +402,12 @@ struct Tables<'a> {
 impl Thread {
     /// Issues simple operations, up to one that is not. Returns whether there is one that has been fetched, whose
     /// operands are ready and whose unit is free before the end of the quantum.
-    #[inline(never)]
+    #[inline(always)]
     fn simple_ops(&mut self, ops: &[MicroOp], tables: Tables<'_>, cycles: &mut ThreadCycles) -> bool {
         let Tables { fetches, fetch_shift, units, start, end } = tables;
         let (mut now, mut held, mut pc) = (self.time, self.held, self.pc as usize);
         let (mut issued, mut nops) = (0u32, 0u32);
+        let fetch_base = usize::from(self.fetch_base);
         let found = loop {
             if now >= end {
                 break false;
@@ -411,7 +415,7 @@ impl Thread {
             let op = &ops[pc];
             let slot = (now - start) as usize % QUANTUM;
             if !held {
-                let left = &mut fetches[(slot << fetch_shift) + usize::from(op.bank)];
+                let left = &mut fetches[(slot << fetch_shift) + fetch_base + usize::from(op.bank)];
                 if *left == 0 {
                     cycles.fetch += 1;
                     now += 1;
@@ -450,7 +454,7 @@ impl Thread {
             pc += 1;
         };
         (self.time, self.held, self.pc) = (now, held, pc as u32);
-        cycles.issue += u64::from(issued);
+        cycles.issue += u64::from(issued - nops);
         cycles.nop += u64::from(nops);
         found
     }

@@ -42,20 +42,41 @@ pub fn add(aig: &mut Aig, format: Format, a: &[Lit], b: &[Lit], subtract: Lit, r
     let negative = sum[sum.len() - 1];
     let magnitude = conditional_negate(aig, &sum, negative);
     let zero = !words::any(aig, &magnitude);
-    // An exact zero takes the sign of both operands, or is +0, or -0 when rounding down.
+    let zero_sign = zero_sign(aig, &x, &y, rounding);
+    let finite_sign = aig.mux(zero, zero_sign, negative);
+    let special = SpecialSum::new(aig, &x, &y);
+    let sign = aig.mux(special.infinity, special.sign, finite_sign);
+    round(aig, format, sign, &magnitude, 0, special.infinity, special.nan, rounding)
+}
+
+/// The sign of an exact zero: that of both operands, or +, or - when rounding down.
+pub(super) fn zero_sign(aig: &mut Aig, x: &Parts, y: &Parts, rounding: &[Lit]) -> Lit {
     let both_negative = aig.and(x.sign, y.sign);
     let same_sign = !aig.xor(x.sign, y.sign);
     let down = words::equal(aig, rounding, &words::constant(2, 3));
-    let zero_sign = aig.mux(same_sign, both_negative, down);
-    let finite_sign = aig.mux(zero, zero_sign, negative);
-    let infinity = aig.or(x.infinity, y.infinity);
-    let infinite_sign = aig.mux(x.infinity, x.sign, y.sign);
-    let both_infinite = aig.and(x.infinity, y.infinity);
-    let opposed = aig.and(both_infinite, !same_sign);
-    let any_nan = aig.or(x.nan, y.nan);
-    let nan = aig.or(any_nan, opposed);
-    let sign = aig.mux(infinity, infinite_sign, finite_sign);
-    round(aig, format, sign, &magnitude, 0, infinity, nan, rounding)
+    aig.mux(same_sign, both_negative, down)
+}
+
+/// What infinities and NaNs make of a sum.
+pub(super) struct SpecialSum {
+    /// An operand is infinite.
+    pub infinity: Lit,
+    /// The sign of that infinity.
+    pub sign: Lit,
+    /// The sum is a NaN.
+    pub nan: Lit,
+}
+
+impl SpecialSum {
+    pub fn new(aig: &mut Aig, x: &Parts, y: &Parts) -> Self {
+        let infinity = aig.or(x.infinity, y.infinity);
+        let sign = aig.mux(x.infinity, x.sign, y.sign);
+        let both_infinite = aig.and(x.infinity, y.infinity);
+        let differ = aig.xor(x.sign, y.sign);
+        let opposed = aig.and(both_infinite, differ);
+        let any_nan = aig.or(x.nan, y.nan);
+        Self { infinity, sign, nan: aig.or(any_nan, opposed) }
+    }
 }
 
 /// Product; `rounding` is the units' code of a direction.
@@ -133,29 +154,53 @@ fn round(
     }
     // A subnormal: no leading one in any of these.
     choose(aig, free, magnitude, below, 0, fraction_bits, (&mut body, &mut guard, &mut sticky));
-    let mut code = |value| words::equal(aig, rounding, &words::constant(value, 3));
-    let [even, down, up, ties_away] = [0, 2, 3, 4].map(&mut code);
-    let tie_break = aig.or(sticky, body[0]);
-    let nearest_even = aig.and(guard, tie_break);
-    let inexact = aig.or(guard, sticky);
-    let directed_down = aig.and(down, sign);
-    let directed_up = aig.and(up, !sign);
-    let away = aig.or(directed_down, directed_up);
-    let terms = [aig.and(even, nearest_even), aig.and(ties_away, guard), aig.and(away, inexact)];
-    let increment = words::any(aig, &terms);
-    let zero = vec![Lit::FALSE; field_bits];
-    let (rounded, _) = words::add(aig, ADDER, &body, &zero, increment);
+    let cut = CutResult { sign, body, guard, sticky, overflow };
+    let finite = cut.rounded(aig, format, rounding);
     let infinity_word = words::constant(u128::from(format.infinity()), field_bits as u32);
-    let reached = words::equal(aig, &rounded, &infinity_word);
-    let overflow = aig.or(overflow, reached);
-    let to_infinity = words::any(aig, &[even, ties_away, away]);
-    let largest = words::constant(u128::from(format.max_finite()), field_bits as u32);
-    let beyond = words::mux(aig, to_infinity, &infinity_word, &largest);
-    let finite = words::mux(aig, overflow, &beyond, &rounded);
     let mut word = words::mux(aig, infinity, &infinity_word, &finite);
     word.push(sign);
     let canonical = words::constant(u128::from(format.canonical_nan()), format.width());
     words::mux(aig, nan, &canonical, &word)
+}
+
+/// A magnitude cut to a format's fraction.
+pub(super) struct CutResult {
+    pub sign: Lit,
+    /// Fraction and exponent field.
+    pub body: Vec<Lit>,
+    /// The first bit that is cut off.
+    pub guard: Lit,
+    /// Whether a later one is set.
+    pub sticky: Lit,
+    /// The magnitude is beyond the largest number before it is rounded.
+    pub overflow: Lit,
+}
+
+impl CutResult {
+    /// Rounds in the direction of the three-bit code `rounding`, without the sign.
+    pub fn rounded(self, aig: &mut Aig, format: Format, rounding: &[Lit]) -> Vec<Lit> {
+        let Self { sign, body, guard, sticky, overflow } = self;
+        let field_bits = body.len();
+        let mut code = |value| words::equal(aig, rounding, &words::constant(value, 3));
+        let [even, down, up, ties_away] = [0, 2, 3, 4].map(&mut code);
+        let tie_break = aig.or(sticky, body[0]);
+        let nearest_even = aig.and(guard, tie_break);
+        let inexact = aig.or(guard, sticky);
+        let directed_down = aig.and(down, sign);
+        let directed_up = aig.and(up, !sign);
+        let away = aig.or(directed_down, directed_up);
+        let terms = [aig.and(even, nearest_even), aig.and(ties_away, guard), aig.and(away, inexact)];
+        let increment = words::any(aig, &terms);
+        let zero = vec![Lit::FALSE; field_bits];
+        let (rounded, _) = words::add(aig, ADDER, &body, &zero, increment);
+        let infinity_word = words::constant(u128::from(format.infinity()), field_bits as u32);
+        let reached = words::equal(aig, &rounded, &infinity_word);
+        let overflow = aig.or(overflow, reached);
+        let to_infinity = words::any(aig, &[even, ties_away, away]);
+        let largest = words::constant(u128::from(format.max_finite()), field_bits as u32);
+        let beyond = words::mux(aig, to_infinity, &infinity_word, &largest);
+        words::mux(aig, overflow, &beyond, &rounded)
+    }
 }
 
 /// Adds to body, guard and sticky those of a magnitude that is cut below bit `low`, if `here`.

@@ -1,6 +1,7 @@
 //! Circuits that do the same in another way, built from the words of the specification: what the hardware is proved
 //! against. They share word operators with the hardware's gates, and nothing of its design.
 
+pub mod aligned;
 pub mod exact;
 pub mod order;
 pub mod pipelines;
