@@ -67,6 +67,20 @@ impl Artifacts {
         Ok(())
     }
 
+    /// Keeps the file `name`, which an earlier run has made, as one of this run; false if there is none.
+    pub fn keep(&mut self, name: &str) -> bool {
+        let kept = self.owned.contains(name) && self.folder.join(name).is_file();
+        if kept && !self.written.iter().any(|written| written == name) {
+            self.written.push(name.to_owned());
+        }
+        kept
+    }
+
+    /// Leaves the file `name` out of this run's, so that it is removed at the end.
+    pub fn drop(&mut self, name: &str) {
+        self.written.retain(|written| written != name);
+    }
+
     /// Removes what earlier runs made and this one did not, and returns the paths of this run's files in order.
     pub fn finish(mut self) -> anyhow::Result<Vec<PathBuf>> {
         let current: BTreeSet<String> = self.written.iter().cloned().collect();

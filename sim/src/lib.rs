@@ -4,6 +4,7 @@
 pub mod charts;
 pub mod drive;
 pub mod estimate;
+pub mod fidelity;
 pub mod gates;
 pub mod logic;
 pub mod machine;

@@ -276,18 +276,40 @@ fn reproduce() {
     };
     let paths = artifacts("reproduce --preset smoke --threads 2");
     let pictures = scenes::procedural::CATALOGUE.len() * 2 * (4 + 1);
-    assert_eq!(paths.len(), pictures + 4);
+    assert_eq!(
+        paths.iter().filter(|path| path.contains("images/") || path.contains("heatmaps/")).count(),
+        pictures
+    );
+    for file in ["trees.csv", "report/index.html", "precision/visits.svg", "stages/stress.json"] {
+        assert!(paths.contains(&format!("out/{file}")), "{file} in {paths:?}");
+    }
+    assert!(!work.path("out/stages/unfinished.json").exists());
     let results: serde_json::Value = serde_json::from_slice(&work.read("out/results.json")).unwrap();
     has_keys(&results, &["mode", "seed", "scenes"]);
     let csv = String::from_utf8(work.read("out/work.csv")).unwrap();
     assert!(csv.starts_with("scene,test,structure,mode,class,rays,hits,node_visits,plane_tests"), "{csv}");
+    let page = String::from_utf8(work.read("out/report/index.html")).unwrap();
+    for part in [
+        "Units and pipelines",
+        "Fidelity of the simulator",
+        "Stability where methods fail",
+        "<code>dualsplit check --unit dual_split --vectors 200</code>",
+        "dst/binary32-robust",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    // Every file that the page names is there.
+    for link in page.split("href=\"../").skip(1).filter_map(|rest| rest.split('"').next()) {
+        assert!(work.path(&format!("out/{link}")).is_file(), "{link}");
+    }
 
     // Again on one thread: every file is replaced by an equal one, but for those that hold times.
     let before: Vec<_> = paths.iter().map(|path| work.read(path)).collect();
     work.write("out/mine.txt", b"mine");
     assert_eq!(artifacts("reproduce --preset smoke --threads 1"), paths);
+    let timed = ["trees.csv", "results.json", "index.html", "/stages/", "/fidelity/"];
     for (path, before) in paths.iter().zip(before) {
-        if !path.ends_with("trees.csv") && !path.ends_with("results.json") {
+        if !timed.iter().any(|part| path.contains(part)) {
             assert!(work.read(path) == before, "{path}");
         }
     }
@@ -297,6 +319,45 @@ fn reproduce() {
     work.write("photos/cat.png", b"cat");
     work.refused("reproduce --preset smoke --out photos", &["photos", "--force"]);
     work.refused("reproduce --preset huge", &["huge", "quick"]);
+}
+
+#[test]
+fn an_interrupted_job_goes_on_where_it_was() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    let work = Workplace::new();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_dualsplit"))
+        .args(["reproduce", "--preset", "smoke"])
+        .current_dir(work.path(""))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let finished = work.path("out/stages/check.json");
+    let start = Instant::now();
+    while !finished.exists() {
+        assert!(start.elapsed() < Duration::from_secs(300), "the job does not get on");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(!work.path("out/report/index.html").exists());
+    let made = |name: &str| std::fs::metadata(work.path(name)).unwrap().modified().unwrap();
+    let parts = ["out/stages/check.json", "out/stages/scene-atrium.json", "out/images/atrium-path.png"];
+    let before = parts.map(made);
+
+    let output = work.run("reproduce --preset smoke");
+    let progress = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{progress}");
+    assert!(progress.contains("check: taken from the interrupted run"), "{progress}");
+    assert!(progress.contains("stress: ") && progress.contains("left, at the pace so far"), "{progress}");
+    assert_eq!(parts.map(made), before, "finished parts are not repeated");
+    assert!(work.path("out/report/index.html").exists());
+
+    // A complete job is made anew.
+    let progress = String::from_utf8(work.run("reproduce --preset smoke").stderr).unwrap();
+    assert!(!progress.contains("interrupted"), "{progress}");
+    assert_ne!(parts.map(made), before);
 }
 
 #[cfg(unix)]

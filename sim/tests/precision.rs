@@ -56,6 +56,53 @@ fn chart_precision() {
 }
 
 #[test]
+fn chart_fidelity() {
+    let work = Workplace::new();
+    let machine = "--set chip.l2_partitions=1 --set chip.tms_per_partition=1";
+    let line = format!("chart fidelity scene.obj --size 40x40 --repeats 2 {machine} --out charts");
+    let document = work.json(&line);
+    let points = document["points"].as_array().unwrap();
+    for key in ["level", "seconds", "time_error_pct", "time_interval_pct", "energy_error_pct"] {
+        assert!(points.iter().all(|point| !point[key].is_null()), "{key}");
+    }
+    for level in ["analytic", "transaction", "rtl"] {
+        assert!(points.iter().any(|point| point["level"] == level), "{level}");
+    }
+    let last = points.last().unwrap();
+    assert_eq!((last["level"].as_str(), last["time_error_pct"].as_f64()), (Some("rtl"), Some(0.0)));
+    let whole =
+        points.iter().find(|p| p["level"] == "transaction" && p["pixels_timed_share"] == 1.0).unwrap();
+    assert_eq!(whole["time_error_pct"], 0.0, "the netlists change nothing");
+    for file in ["fidelity.csv", "time-error.svg", "energy-error.svg"] {
+        assert!(work.path(&format!("charts/{file}")).is_file(), "{file}");
+    }
+
+    let simulate = format!("simulate scene.obj --size 40x40 {machine}");
+    let all = work.json(&simulate);
+    assert_eq!(all["fidelity"]["frame_ms"]["low"], all["frame_ms"]);
+    let sample = work.json(&format!("{simulate} --sample 20%"));
+    let interval = &sample["fidelity"]["frame_ms"];
+    assert!(interval["low"].as_f64() < interval["high"].as_f64(), "{interval}");
+    assert!(sample["fidelity"]["pixels_timed_share"].as_f64().unwrap() < 0.8);
+    assert_eq!(sample["rays"], all["rays"]);
+    let auto = work.json(&format!("{simulate} --fidelity auto --tolerance 20%"));
+    let steps = auto["fidelity"]["steps"].as_array().unwrap();
+    assert!(steps.len() >= 2 && steps[0]["level"] == "analytic", "{steps:?}");
+    let text =
+        String::from_utf8(work.run(&format!("{simulate} --fidelity auto --tolerance 20%")).stdout).unwrap();
+    assert!(text.contains("is within 20.00 %"), "{text}");
+    let rtl = work.json(&format!("{simulate} --fidelity rtl"));
+    assert_eq!(rtl["fidelity"]["rtl_operations"], rtl["instructions"]["pipeline"]);
+    assert_eq!(rtl["cycles"], all["cycles"]);
+    let bound = work.json(&format!("{simulate} --fidelity analytic"));
+    assert!(bound["frame_ms"].as_f64() < all["frame_ms"].as_f64());
+    work.refused(&format!("{simulate} --tolerance 2%"), &["--tolerance", "auto"]);
+    work.refused(&format!("{simulate} --fidelity auto --sample 0.1"), &["--sample", "auto"]);
+    work.refused(&format!("{simulate} --sample 2"), &["--sample", "10%"]);
+    work.refused(&format!("{simulate} --fidelity rtl --structure dst-sw"), &["dst-sw", "transaction"]);
+}
+
+#[test]
 fn stress() {
     let work = Workplace::new();
     let methods = "--method dst/binary32-robust --method bvh4/e4m3-conservative --method dst/bfloat16-naive \

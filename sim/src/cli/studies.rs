@@ -1,12 +1,13 @@
 //! The machine, and what is charted, stressed and studied.
 
 use super::shared::{DetailArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
-use super::values::{machine_structure, not_negative, one_of, size, structure, test};
+use super::values::{fraction, machine_structure, not_negative, one_of, size, structure, test};
 use clap::{Args, Subcommand};
 use golden::Mode;
 use golden::precision::Variant;
 use golden::render::Test;
 use golden::structure::StructureKind;
+use sim::fidelity::Level;
 use sim::machine::frame::MachineStructure;
 use sim::stress::Method;
 use std::path::PathBuf;
@@ -21,6 +22,8 @@ pub struct ChartArgs {
 pub enum ChartKind {
     /// Visits, lost hits and image error in every format, rounded naively and conservatively: CSV and SVG.
     Precision(PrecisionArgs),
+    /// The host's time against the error in frame time and energy, over levels and samples of the simulation: CSV and SVG.
+    Fidelity(FidelityArgs),
 }
 
 #[derive(Args, Debug)]
@@ -46,6 +49,56 @@ pub struct PrecisionArgs {
     /// The folder to write; one that this command made before is written anew [default: precision-SCENE].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct FidelityArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The structure, with its program and its pipeline: dst-sw decodes in software, + is parallel pipelines.
+    #[arg(long, default_value = "dst", value_parser = machine_structure())]
+    pub structure: MachineStructure,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Width and height of the image in pixels.
+    #[arg(long, default_value = "96x96", value_name = "WxH", value_parser = size)]
+    pub size: [u32; 2],
+    /// Samples of each size, of which the mean error and its spread are shown.
+    #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub repeats: u32,
+    /// The whole frame with every pipeline operation executed by its netlist, too: several times as long as the machine.
+    #[arg(long, default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
+    pub rtl: bool,
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// The folder to write; one that this command made before is written anew [default: fidelity-SCENE].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// How closely a frame is simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fidelity {
+    /// At this level.
+    Level(Level),
+    /// At the cheapest level and sample that are within the tolerance.
+    Auto,
+}
+
+impl Fidelity {
+    const ALL: [Self; 4] =
+        [Self::Level(Level::Analytic), Self::Level(Level::Transaction), Self::Level(Level::Rtl), Self::Auto];
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Level(level) => level.name(),
+            Self::Auto => "auto",
+        }
+    }
 }
 
 #[derive(Args, Debug)]
@@ -121,6 +174,17 @@ pub struct SimulateArgs {
     pub size: [u32; 2],
     #[command(flatten)]
     pub machine: MachineArgs,
+    /// analytic: a bound from the work; transaction: the machine; rtl: the same with every pipeline operation executed by
+    /// its netlist; auto: no more than --tolerance asks for.
+    #[arg(long, default_value = "transaction", value_name = "LEVEL", hide_possible_values = true,
+        value_parser = one_of(Fidelity::ALL, Fidelity::name))]
+    pub fidelity: Fidelity,
+    /// Time only this share of the frame, drawn at random by --seed, and estimate the rest [default: all of it].
+    #[arg(long, value_name = "FRACTION", value_parser = fraction)]
+    pub sample: Option<f64>,
+    /// For auto: greatest distance of the ends of the 95 % intervals of frame time and energy from their values [default: 2%].
+    #[arg(long, value_name = "PERCENT", value_parser = fraction)]
+    pub tolerance: Option<f64>,
     /// Also write the results as CSV: quantity, value, unit, meaning.
     #[arg(long, value_name = "FILE", requires = "scene")]
     pub csv: Option<PathBuf>,
@@ -153,8 +217,9 @@ pub struct StudyArgs {
 
 #[derive(Args, Debug)]
 pub struct ReproduceArgs {
-    /// smoke: minute scenes and pictures, seconds; quick: small ones, under two minutes on two cores.
-    #[arg(long, default_value = "quick", value_parser = ["smoke", "quick"])]
+    /// smoke: minute scenes and pictures, seconds; quick: small ones, under five minutes on two cores; paper: everything at
+    /// full size, many hours. An interrupted job goes on where it was.
+    #[arg(long, default_value = "quick", value_parser = ["smoke", "quick", "paper"])]
     pub preset: String,
     /// The folder to write; one that this command made before is written anew.
     #[arg(long, default_value = "out", value_name = "DIR")]

@@ -106,6 +106,15 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A fraction above 0 and at most 1, as such or in percent.
+pub fn fraction(text: &str) -> Result<f64, String> {
+    let (number, scale) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
+    match number.trim().parse::<f64>() {
+        Ok(x) if x > 0.0 && x <= scale => Ok(x / scale),
+        _ => Err("write a fraction above 0 and at most 1, such as 0.1 or 10%".to_owned()),
+    }
+}
+
 pub fn vector(text: &str) -> Result<[f32; 3], String> {
     let parsed: Result<Vec<f32>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     match parsed.map(<[f32; 3]>::try_from) {
@@ -130,6 +139,15 @@ pub fn integers(text: &str, separator: char) -> Option<[u32; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn fractions() {
+        assert_eq!(fraction("2%"), Ok(0.02));
+        assert_eq!(fraction("0.25"), Ok(0.25));
+        for bad in ["", "0", "-1%", "101%", "1.5", "nan", "%"] {
+            assert!(fraction(bad).is_err(), "{bad}");
+        }
+    }
 
     #[test]
     fn vectors_and_pairs() {

@@ -19,7 +19,7 @@ mod tree;
 mod wave;
 mod work;
 
-use crate::cli::{Cli, Command, ReproduceArgs};
+use crate::cli::{Cli, Command, Global, ReproduceArgs};
 use crate::console::Report;
 use anyhow::Context;
 
@@ -32,23 +32,30 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
             .with_context(|| format!("--threads {threads}: the system does not start them"))?;
     }
     match &cli.command {
-        Some(Command::Scenes(args)) => scenes::run(args, global),
-        Some(Command::Tree(args)) => tree::run(args, global),
-        Some(Command::Trace(args)) => trace::run(args, global),
-        Some(Command::Render(args)) => render::run(args, global),
-        Some(Command::Compare(args)) => compare::run(args, global),
-        Some(Command::Explain(args)) => explain::run(args, global),
-        Some(Command::Check(args)) if args.prove => prove::run(args, global),
-        Some(Command::Check(args)) => check::run(args, global),
-        Some(Command::Export(args)) => export::run(args, global),
-        Some(Command::Wave(args)) => wave::run(args, global),
-        Some(Command::Chart(args)) => chart::run(args, global),
-        Some(Command::Stress(args)) => stress::run(args, global),
-        Some(Command::Needs(args)) => needs::run(args, global),
-        Some(Command::Estimate(args)) => estimate::run(args, global),
-        Some(Command::Simulate(args)) => simulate::run(args, global),
-        Some(Command::Study(args)) => study::run(args, global),
-        Some(Command::Reproduce(args)) => reproduce::run(args, global),
+        Some(command) => dispatch(command, global),
         None => reproduce::run(&ReproduceArgs::default(), global),
+    }
+}
+
+/// Runs `command` on the threads that there are.
+fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
+    match command {
+        Command::Scenes(args) => scenes::run(args, global),
+        Command::Tree(args) => tree::run(args, global),
+        Command::Trace(args) => trace::run(args, global),
+        Command::Render(args) => render::run(args, global),
+        Command::Compare(args) => compare::run(args, global),
+        Command::Explain(args) => explain::run(args, global),
+        Command::Check(args) if args.prove => prove::run(args, global),
+        Command::Check(args) => check::run(args, global),
+        Command::Export(args) => export::run(args, global),
+        Command::Wave(args) => wave::run(args, global),
+        Command::Chart(args) => chart::run(args, global),
+        Command::Stress(args) => stress::run(args, global),
+        Command::Needs(args) => needs::run(args, global),
+        Command::Estimate(args) => estimate::run(args, global),
+        Command::Simulate(args) => simulate::run(args, global),
+        Command::Study(args) => study::run(args, global),
+        Command::Reproduce(args) => reproduce::run(args, global),
     }
 }

@@ -1,14 +1,17 @@
 //! `dualsplit simulate`: frames and reference runs on the many-core machine.
 
-use crate::cli::{Global, SceneArgs, SimulateArgs};
+use crate::cli::{Fidelity, Global, SceneArgs, SimulateArgs};
 use crate::console::{Report, fixed, progress, table};
 use crate::input::{self, Built, check_writable};
+use anyhow::ensure;
 use golden::render::RenderOptions;
 use rayon::prelude::*;
 use scenes::output::write_file;
 use serde::Serialize;
+use sim::fidelity::auto::{Step, auto};
+use sim::fidelity::{Interval, Sample, Subject};
 use sim::machine::description::MachineDescription;
-use sim::machine::frame::{FrameMachine, frame};
+use sim::machine::frame::FrameMachine;
 use sim::machine::reference::{ReferenceRuns, ValidatedRun};
 use sim::machine::results::{Quantity, Results};
 use std::path::Path;
@@ -37,9 +40,11 @@ struct Document {
     width: u32,
     height: u32,
     node_bytes: usize,
+    /// Of the pixels recorded: all of them, but for an analytic sample.
     rays: u64,
     exact_triangle_tests: u64,
     triangle_tests: u64,
+    fidelity: FidelityRow,
     #[serde(flatten)]
     results: Results,
     /// The results again, each with its unit and meaning.
@@ -47,6 +52,50 @@ struct Document {
     /// Of the host; the only numbers here that differ from run to run.
     seconds: f64,
     simulated_rays_per_second: f64,
+}
+
+/// How closely the frame was simulated, and what that leaves open.
+#[derive(Serialize)]
+struct FidelityRow {
+    asked: &'static str,
+    level: &'static str,
+    batches: u32,
+    batches_measured: u32,
+    pixels_timed_share: f64,
+    /// Of 95 % confidence; of a point if nothing was left out.
+    frame_ms: Interval,
+    energy_mj: Interval,
+    /// The resource that an analytic bound is due to.
+    bound_by: Option<String>,
+    /// Pipeline operations that the netlist executed, and those whose result differed.
+    rtl_operations: u64,
+    rtl_differences: u64,
+    /// What `auto` did, the result last.
+    steps: Vec<StepRow>,
+}
+
+#[derive(Serialize)]
+struct StepRow {
+    level: &'static str,
+    batches_measured: u32,
+    pixels_timed_share: f64,
+    frame_ms: Interval,
+    energy_mj: Interval,
+    verdict: String,
+}
+
+impl StepRow {
+    fn new(step: &Step) -> Self {
+        let e = &step.estimate;
+        Self {
+            level: e.level.name(),
+            batches_measured: e.measured,
+            pixels_timed_share: e.timed_share,
+            frame_ms: e.frame_ms,
+            energy_mj: e.energy_mj,
+            verdict: step.verdict.clone(),
+        }
+    }
 }
 
 fn simulate(
@@ -58,6 +107,14 @@ fn simulate(
     if let Some(csv) = &args.csv {
         check_writable("--csv", csv, global.force)?;
     }
+    ensure!(
+        args.fidelity == Fidelity::Auto || args.tolerance.is_none(),
+        "--tolerance: goes with --fidelity auto; a level with --sample says what its interval is"
+    );
+    ensure!(
+        args.fidelity != Fidelity::Auto || args.sample.is_none(),
+        "--sample: --fidelity auto draws its own samples; name a level"
+    );
     let set_up = FrameMachine::new(machine, args.structure, args.machine.pipeline_cost.method())?;
     let scene = input::scene(&SceneArgs { scene: scene.to_owned(), detail: args.detail }, global)?;
     let built = Built::new(&scene, args.quality.quality)?;
@@ -66,14 +123,27 @@ fn simulate(
     let mut options = RenderOptions::new(args.test, width, height);
     options.mode = args.mode.mode;
     options.seed = global.seed;
+    let subject = Subject { machine: &set_up, scene: &scene, structure: &structure, options: &options };
     let bar = progress(u64::from(width) * u64::from(height), "simulating");
     let start = Instant::now();
-    let frame = frame(&set_up, &scene, &structure, &options, |pixels| bar.inc(pixels.into()))?;
+    let (estimate, steps) = match args.fidelity {
+        Fidelity::Auto => {
+            let tolerance = args.tolerance.unwrap_or(TOLERANCE);
+            let mut steps = auto(&subject, tolerance, global.seed, |pixels| bar.inc(pixels.into()))?;
+            let rows = steps.iter().map(StepRow::new).collect();
+            (steps.pop().expect("there is a first step").estimate, rows)
+        }
+        Fidelity::Level(level) => {
+            let batches = subject.batches(Sample::ALL.batch_fills);
+            let sample = Sample::share(args.sample.unwrap_or(1.0), &batches, global.seed);
+            (subject.estimate(level, &sample, |pixels| bar.inc(pixels.into()))?, vec![])
+        }
+    };
     let seconds = start.elapsed().as_secs_f64();
     bar.finish_and_clear();
-    let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts)?;
+    let totals = estimate.totals;
     if let Some(csv) = &args.csv {
-        let text = results.to_csv(frame.rays);
+        let text = estimate.results.to_csv(totals.rays);
         write_file(csv, global.force, |file| file.write_all(text.as_bytes()))?;
     }
     let document = Document {
@@ -86,16 +156,81 @@ fn simulate(
         width,
         height,
         node_bytes: structure.node_bytes(),
-        rays: frame.rays,
-        exact_triangle_tests: frame.exact_tests,
-        triangle_tests: frame.triangle_tests,
-        quantities: results.quantities(frame.rays),
-        results,
+        rays: totals.rays,
+        exact_triangle_tests: totals.exact_tests,
+        triangle_tests: totals.triangle_tests,
+        fidelity: FidelityRow {
+            asked: args.fidelity.name(),
+            level: estimate.level.name(),
+            batches: estimate.batches,
+            batches_measured: estimate.measured,
+            pixels_timed_share: estimate.timed_share,
+            frame_ms: estimate.frame_ms,
+            energy_mj: estimate.energy_mj,
+            bound_by: estimate.bound_by.clone(),
+            rtl_operations: totals.rtl_operations,
+            rtl_differences: totals.rtl_differences,
+            steps,
+        },
+        quantities: estimate.results.quantities(totals.rays),
+        results: estimate.results,
         seconds,
-        simulated_rays_per_second: frame.rays as f64 / seconds,
+        simulated_rays_per_second: totals.rays as f64 * estimate.timed_share / seconds,
     };
     let text = text(&document);
-    Ok(Report::new(&document, text))
+    let mut report = Report::new(&document, text);
+    report.difference = totals.rtl_differences > 0;
+    Ok(report)
+}
+
+/// What `auto` is within by default.
+const TOLERANCE: f64 = 0.02;
+
+/// What was simulated, in words.
+fn fidelity_text(f: &FidelityRow) -> String {
+    let percent = |x: f64| fixed(100.0 * x, 2);
+    let mut text = String::new();
+    if !f.steps.is_empty() {
+        let header =
+            ["level", "batches", "pixels timed %", "frame ms", "+- %", "energy mJ", "+- %", "verdict"];
+        let rows = f.steps.iter().map(|step| {
+            [
+                step.level.to_owned(),
+                format!("{} of {}", step.batches_measured, f.batches),
+                fixed(100.0 * step.pixels_timed_share, 1),
+                fixed(step.frame_ms.value, 4),
+                percent(step.frame_ms.relative()),
+                fixed(step.energy_mj.value, 4),
+                percent(step.energy_mj.relative()),
+                step.verdict.clone(),
+            ]
+        });
+        text += &table(header, rows);
+        text += "\n";
+    }
+    let range = |i: &Interval| format!("{:.4} .. {:.4}", i.low, i.high);
+    match (f.level, &f.bound_by) {
+        (_, Some(resource)) => text += &format!("analytic: a lower bound by {resource}, not an estimate\n"),
+        _ if f.pixels_timed_share < 1.0 => {
+            text += &format!(
+                "{}: {} of {} batches measured, {} % of the pixels timed; 95 % intervals: {} ms, {} mJ\n",
+                f.level,
+                f.batches_measured,
+                f.batches,
+                fixed(100.0 * f.pixels_timed_share, 1),
+                range(&f.frame_ms),
+                range(&f.energy_mj)
+            );
+        }
+        _ => {}
+    }
+    if f.rtl_operations > 0 {
+        text += &format!(
+            "rtl: {} pipeline operations executed by the netlist, {} differ from golden\n",
+            f.rtl_operations, f.rtl_differences
+        );
+    }
+    if text.is_empty() { text } else { text + "\n" }
 }
 
 fn text(d: &Document) -> String {
@@ -113,6 +248,7 @@ fn text(d: &Document) -> String {
         d.results.frame_ms,
         d.results.energy_mj.total
     );
+    text += &fidelity_text(&d.fidelity);
     let rows = d.quantities.iter();
     text += &table(
         ["quantity", "value", "unit", "meaning"],

@@ -8,7 +8,8 @@ use golden::dst::build_for_dst;
 use golden::stats::TreeStatistics;
 use golden::structure::{Structure, StructureKind};
 use golden::tree_file;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fmt::Write;
 
 #[derive(Serialize)]
@@ -22,9 +23,9 @@ struct Document {
 }
 
 /// One structure over one scene.
-#[derive(Clone, Serialize)]
+#[derive(Clone, Serialize, Deserialize)]
 pub struct StructureRow {
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     pub nodes: u64,
     pub leaves: u64,
     pub bytes: u64,
@@ -51,7 +52,7 @@ impl StructureRow {
         let stats = TreeStatistics::of(structure);
         let carves = stats.carves;
         Self {
-            name: row.name(),
+            name: row.name().into(),
             nodes: stats.nodes,
             leaves: stats.leaves,
             bytes: stats.bytes,
@@ -143,7 +144,7 @@ fn text(document: &Document) -> String {
         header,
         structures.iter().map(|s| {
             [
-                s.name.to_owned(),
+                s.name.to_string(),
                 s.nodes.to_string(),
                 s.leaves.to_string(),
                 s.bytes.to_string(),
@@ -192,7 +193,7 @@ fn histogram(structures: &[StructureRow], label: &str, of: impl Fn(&StructureRow
     let mut header = [""; COLUMNS];
     header[0] = label;
     for (cell, s) in header[1..].iter_mut().zip(structures) {
-        *cell = s.name;
+        *cell = &s.name;
     }
     let rows = (first..length).map(|at| {
         std::array::from_fn(|column| match column {

@@ -3,10 +3,10 @@
 use crate::console::{fixed, table};
 use golden::render::{ClassTotals, RayClass};
 use golden::traverse::Counters;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// [`Counters`] with the keys of result files.
-#[derive(Clone, Copy, Serialize)]
+#[derive(Clone, Copy, Serialize, Deserialize)]
 pub struct CounterRow {
     pub node_visits: u64,
     pub plane_tests: u64,
@@ -30,7 +30,7 @@ impl From<Counters> for CounterRow {
 }
 
 /// The rays of one class.
-#[derive(Clone, Serialize)]
+#[derive(Clone, Serialize, Deserialize)]
 pub struct ClassRow {
     pub class: String,
     pub rays: u64,

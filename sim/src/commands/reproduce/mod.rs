@@ -1,7 +1,9 @@
 //! `dualsplit reproduce`: the main job, all results in one folder.
 
 mod page;
+mod presets;
 mod results;
+mod stages;
 mod tables;
 
 use super::tree;
@@ -9,53 +11,23 @@ use crate::artifacts::Artifacts;
 use crate::cli::{Global, ReproduceArgs, quality_name};
 use crate::console::{Report, progress};
 use crate::input::{Built, display};
-use anyhow::ensure;
-use golden::build::Quality;
+use anyhow::{Context, ensure};
 use golden::render::{RenderOptions, Rendering, Test, render};
 use golden::structure::StructureKind;
 use page::Pictures;
+use presets::{PRESETS, Preset};
 use results::{Document, RenderResult, SceneResult};
 use scenes::Scene;
-use scenes::procedural::{self, CATALOGUE};
+use scenes::procedural::{self, CATALOGUE, CatalogueEntry};
 use serde::Serialize;
 use sim::picture::heatmap::{self, Quantity};
 use sim::picture::png;
 use sim::report::Picture;
+use stages::{Job, Outcome};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
 use std::time::Instant;
-
-/// How large the job is.
-struct Preset {
-    name: &'static str,
-    /// About this many triangles to a scene, but not fewer than its coarsest level has.
-    triangles: f64,
-    quality: Quality,
-    /// Side of the renderings in which work is counted, in pixels, with one sample each.
-    measured_side: u32,
-    /// Side of the pictures.
-    picture_side: u32,
-    picture_samples: u32,
-}
-
-const PRESETS: [Preset; 2] = [
-    // To see in seconds whether everything works.
-    Preset {
-        name: "smoke",
-        triangles: 1.0,
-        quality: Quality::Fast,
-        measured_side: 24,
-        picture_side: 48,
-        picture_samples: 1,
-    },
-    // Two minutes on two cores are plenty for it.
-    Preset {
-        name: "quick",
-        triangles: 60_000.0,
-        quality: Quality::High,
-        measured_side: 192,
-        picture_side: 320,
-        picture_samples: 8,
-    },
-];
 
 /// The structures whose heat maps the report shows.
 const SHOWN: [StructureKind; 2] = [StructureKind::Bvh2, StructureKind::Dst];
@@ -88,38 +60,117 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
         spp: options.samples,
         scenes: vec![],
     };
-    let steps = CATALOGUE.len() * (Test::ALL.len() * (StructureKind::ALL.len() + 1) + 1);
-    let mut pictures = Pictures { images: vec![], heat_maps: vec![] };
-    let bar = progress(steps as u64, "scenes, trees, pictures");
+    let stages = (preset.stages)();
+    let seconds: f64 = stages.iter().map(|stage| stage.seconds).sum();
+    let parts = (stages.len() + CATALOGUE.len(), seconds + CATALOGUE.len() as f64 * preset.scene_seconds);
+    let folders: BTreeSet<&str> = stages.iter().map(|stage| stage.folder.as_str()).collect();
+    let name = format!("reproduce {} {}", preset.name, document.mode);
+    let mut job = Job::begin(&args.out, &name, global, &mut artifacts, parts, &folders)?;
     for entry in CATALOGUE {
-        let full = procedural::count_triangles(entry.name, 1.0, global.seed)?;
-        let detail = (preset.triangles / full as f64).min(1.0);
-        bar.set_message(entry.name);
-        let scene = procedural::build(entry.name, detail, global.seed)?;
-        let built = Built::new(&scene, preset.quality)?;
-        let structures = tree::rows(&built)?;
-        bar.inc(1);
-        let renders =
-            renders(&scene, &built, preset, &options, &mut artifacts, &mut pictures, || bar.inc(1))?;
-        document.scenes.push(SceneResult {
-            scene: scene.name,
-            stands_for: entry.stands_for,
-            detail,
-            triangles: scene.mesh.triangles.len(),
-            structures,
-            renders,
-        });
+        let part = format!("scene-{}", entry.name);
+        let result = job.part(&part, preset.scene_seconds, &mut artifacts, |artifacts| {
+            scene_result(entry, preset, &options, global, artifacts)
+        })?;
+        for file in files(entry.name) {
+            ensure!(
+                artifacts.keep(&file),
+                "{}: the file is gone that the interrupted run made; remove {0}/stages to begin anew",
+                args.out.display()
+            );
+        }
+        document.scenes.push(result);
     }
-    bar.finish_and_clear();
+    let mut outcomes: Vec<(String, Outcome)> = vec![];
+    for stage in &stages {
+        let outcome = job.run(stage, &mut artifacts)?;
+        outcomes.push((stage.name.clone(), outcome));
+    }
+    let pictures = Pictures::read(&args.out)?;
     artifacts.write("trees.csv", &tables::trees_csv(&document)?)?;
     artifacts.write("work.csv", &tables::work_csv(&document)?)?;
     artifacts.write("results.json", format!("{}\n", serde_json::to_string_pretty(&document)?).as_bytes())?;
-    artifacts.write("report/index.html", page::page(&document, pictures)?.html().as_bytes())?;
-    let artifacts: Vec<String> = artifacts.finish()?.iter().map(|path| display(path)).collect();
+    let results = page::Results { document: &document, outcomes: &outcomes, folder: &args.out };
+    artifacts.write("report/index.html", results.page(pictures)?.html().as_bytes())?;
+    job.finish(&mut artifacts);
+    let mut paths: Vec<String> = artifacts.finish()?.iter().map(|path| display(path)).collect();
+    let of_stages = outcomes.iter().filter_map(|(_, outcome)| outcome.report["artifacts"].as_array());
+    paths.extend(of_stages.flatten().filter_map(|path| path.as_str().map(str::to_owned)));
     let seconds = start.elapsed().as_secs_f64();
     let mut text = tables::text(&document);
-    text += &format!("\n{} files in {}, {seconds:.1} s\n", artifacts.len(), args.out.display());
-    Ok(Report::new(&Artifact { artifacts, mode: document.mode, seconds }, text))
+    let differences: Vec<&str> =
+        outcomes.iter().filter(|(_, outcome)| outcome.difference).map(|(_, o)| o.command.as_str()).collect();
+    for command in &differences {
+        text += &format!("\nA check found a difference: {command}\n");
+    }
+    text += &format!("\n{} files in {}, {seconds:.1} s\n", paths.len(), args.out.display());
+    let mut report = Report::new(&Artifact { artifacts: paths, mode: document.mode, seconds }, text);
+    report.difference = !differences.is_empty();
+    Ok(report)
+}
+
+/// Trees, work and pictures of one scene.
+fn scene_result(
+    entry: &CatalogueEntry,
+    preset: &Preset,
+    options: &RenderOptions,
+    global: &Global,
+    artifacts: &mut Artifacts,
+) -> anyhow::Result<SceneResult> {
+    let full = procedural::count_triangles(entry.name, 1.0, global.seed)?;
+    let detail = (preset.triangles / full as f64).min(1.0);
+    let steps = Test::ALL.len() * (StructureKind::ALL.len() + 1) + 1;
+    let bar = progress(steps as u64, entry.name);
+    let scene = procedural::build(entry.name, detail, global.seed)?;
+    let built = Built::new(&scene, preset.quality)?;
+    let structures = tree::rows(&built)?;
+    bar.inc(1);
+    let renders = renders(&scene, &built, preset, options, artifacts, || bar.inc(1))?;
+    bar.finish_and_clear();
+    Ok(SceneResult {
+        scene: scene.name,
+        stands_for: entry.stands_for.into(),
+        detail,
+        triangles: scene.mesh.triangles.len(),
+        structures,
+        renders,
+    })
+}
+
+/// The pictures and heat maps of a scene.
+fn files(scene: &str) -> Vec<String> {
+    let of_test = |test: Test| {
+        let maps = StructureKind::ALL.map(|kind| heat_map_file(scene, test, kind));
+        maps.into_iter().chain([image_file(scene, test)])
+    };
+    Test::ALL.into_iter().flat_map(of_test).collect()
+}
+
+fn heat_map_file(scene: &str, test: Test, kind: StructureKind) -> String {
+    format!("heatmaps/{scene}-{test}-{kind}.png")
+}
+
+fn image_file(scene: &str, test: Test) -> String {
+    format!("images/{scene}-{test}.png")
+}
+
+impl Pictures {
+    /// Those that the page shows.
+    fn read(folder: &Path) -> anyhow::Result<Self> {
+        let picture = |file: &str, caption: String| -> anyhow::Result<Picture> {
+            let path = folder.join(file);
+            Ok(Picture { png: fs::read(&path).with_context(|| display(&path))?, caption })
+        };
+        let mut pictures = Self { images: vec![], heat_maps: vec![] };
+        for entry in CATALOGUE {
+            let name = entry.name;
+            pictures.images.push(picture(&image_file(name, Test::Path), name.to_owned())?);
+            for kind in SHOWN {
+                let caption = format!("{name}: {}, {kind}", Quantity::NodeVisits);
+                pictures.heat_maps.push(picture(&heat_map_file(name, Test::Path, kind), caption)?);
+            }
+        }
+        Ok(pictures)
+    }
 }
 
 /// Measures both tests in every structure, makes sure that all give one picture, and writes heat maps and pictures.
@@ -129,7 +180,6 @@ fn renders(
     preset: &Preset,
     options: &RenderOptions,
     artifacts: &mut Artifacts,
-    pictures: &mut Pictures,
     done: impl Fn(),
 ) -> anyhow::Result<Vec<RenderResult>> {
     let mut results = vec![];
@@ -156,11 +206,7 @@ fn renders(
             );
             let map = heatmap::of_rendering(rendering, quantity, scale_max);
             let map = png::encode(&map);
-            artifacts.write(&format!("heatmaps/{}-{test}-{kind}.png", scene.name), &map)?;
-            if test == Test::Path && SHOWN.contains(kind) {
-                let caption = format!("{}: {quantity}, {kind}", scene.name);
-                pictures.heat_maps.push(Picture { png: map, caption });
-            }
+            artifacts.write(&heat_map_file(&scene.name, test, *kind), &map)?;
         }
         let (structure, _) = built.convert(StructureKind::Dst)?;
         let options = RenderOptions {
@@ -172,10 +218,7 @@ fn renders(
         };
         let rendering = render(&structure, scene, &options, |_| {})?;
         let picture = png::encode(&png::develop(&rendering, 0.0));
-        artifacts.write(&format!("images/{}-{test}.png", scene.name), &picture)?;
-        if test == Test::Path {
-            pictures.images.push(Picture { png: picture, caption: scene.name.clone() });
-        }
+        artifacts.write(&image_file(&scene.name, test), &picture)?;
         done();
     }
     Ok(results)

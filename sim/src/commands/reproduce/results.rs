@@ -4,10 +4,11 @@ use super::super::tree::StructureRow;
 use super::super::work::ClassRow;
 use golden::render::{Rendering, Test};
 use golden::structure::StructureKind;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
-#[derive(Serialize)]
 /// All results.
+#[derive(Serialize)]
 pub struct Document {
     pub preset: &'static str,
     pub version: &'static str,
@@ -20,22 +21,22 @@ pub struct Document {
     pub scenes: Vec<SceneResult>,
 }
 
-#[derive(Serialize)]
 /// One scene.
+#[derive(Serialize, Deserialize)]
 pub struct SceneResult {
     pub scene: String,
-    pub stands_for: &'static str,
+    pub stands_for: Cow<'static, str>,
     pub detail: f64,
     pub triangles: usize,
     pub structures: Vec<StructureRow>,
     pub renders: Vec<RenderResult>,
 }
 
-#[derive(Serialize)]
 /// One test of one scene in one structure.
+#[derive(Serialize, Deserialize)]
 pub struct RenderResult {
-    pub structure: &'static str,
-    pub test: &'static str,
+    pub structure: Cow<'static, str>,
+    pub test: Cow<'static, str>,
     pub rays: u64,
     pub hits: u64,
     pub node_visits_per_ray: f64,
@@ -51,8 +52,8 @@ impl RenderResult {
         let total = rendering.total();
         let per_ray = |x: u64| x as f64 / total.rays.max(1) as f64;
         Self {
-            structure: kind.name(),
-            test: test.name(),
+            structure: kind.name().into(),
+            test: test.name().into(),
             rays: total.rays,
             hits: total.hits,
             node_visits_per_ray: per_ray(total.counters.node_visits),

@@ -29,7 +29,7 @@ pub fn trees_csv(document: &Document) -> anyhow::Result<Vec<u8>> {
             csv.serialize(TreeLine {
                 scene: &result.scene,
                 triangles: result.triangles,
-                structure: s.name,
+                structure: &s.name,
                 nodes: s.nodes,
                 leaves: s.leaves,
                 bytes: s.bytes,
@@ -71,8 +71,8 @@ pub fn work_csv(document: &Document) -> anyhow::Result<Vec<u8>> {
             for (c, counters) in render.classes.iter().filter_map(|c| Some((c, c.counters?))) {
                 csv.serialize(WorkLine {
                     scene: &result.scene,
-                    test: render.test,
-                    structure: render.structure,
+                    test: &render.test,
+                    structure: &render.structure,
                     mode: document.mode,
                     class: &c.class,
                     rays: c.rays,
@@ -102,7 +102,7 @@ pub fn text(document: &Document) -> String {
             [
                 result.scene.clone(),
                 result.triangles.to_string(),
-                s.name.to_owned(),
+                s.name.to_string(),
                 s.nodes.to_string(),
                 fixed(s.bytes_per_triangle, 2),
                 fixed(s.bytes as f64 / reference, 3),
@@ -131,8 +131,8 @@ pub fn text(document: &Document) -> String {
         result.renders.iter().map(|r| {
             [
                 result.scene.clone(),
-                r.test.to_owned(),
-                r.structure.to_owned(),
+                r.test.to_string(),
+                r.structure.to_string(),
                 r.rays.to_string(),
                 fixed(r.node_visits_per_ray, 2),
                 fixed(r.plane_tests_per_ray, 2),

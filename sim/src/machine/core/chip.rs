@@ -4,6 +4,7 @@ use super::dram::{Dram, Read, Requester};
 use super::l1::Access;
 use super::l2::L2;
 use super::outstanding::UNKNOWN;
+use super::plan::{Noted, Plan, loads};
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
 use super::tm::{QUANTUM, Request, Tm};
 use super::work::{Tape, Work};
@@ -69,6 +70,12 @@ struct Chip<'a, W> {
     requests: [Vec<Request>; QUANTUM],
     no_more: Conditions,
     line_shift: u32,
+    plan: &'a Plan,
+    /// Number of skipped ranges behind the counter.
+    skips: usize,
+    noted: Vec<Noted>,
+    /// Times that runs of items were recorded that are not timed.
+    skipped_runs: Vec<u64>,
 }
 
 /// Simulates `work` by `program` on `machine`.
@@ -81,8 +88,23 @@ pub fn simulate<W: Work>(
     machine: &MachineDescription,
     program: &Program,
     work: &W,
-    mut items_done: impl FnMut(u32),
+    items_done: impl FnMut(u32),
 ) -> Result<Counts, SimulationError> {
+    Ok(simulate_plan(machine, program, work, &Plan::default(), items_done)?.0)
+}
+
+/// [`simulate`], timing what `plan` says. Runs are counted of all items, cycles and accesses of those that are timed; beside
+/// them what was noted at the plan's marks.
+///
+/// # Errors
+/// See [`SimulationError`].
+pub fn simulate_plan<W: Work>(
+    machine: &MachineDescription,
+    program: &Program,
+    work: &W,
+    plan: &Plan,
+    mut items_done: impl FnMut(u32),
+) -> Result<(Counts, Vec<Noted>), SimulationError> {
     let tms = machine.chip.tms();
     let mut chip = Chip {
         machine,
@@ -103,6 +125,10 @@ pub fn simulate<W: Work>(
         requests: Default::default(),
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
+        plan,
+        skips: 0,
+        noted: Vec::with_capacity(plan.marks.len()),
+        skipped_runs: vec![0; program.runs.len()],
     };
     let start = program.entry(START);
     for seat in &mut chip.seats {
@@ -119,7 +145,8 @@ pub fn simulate<W: Work>(
             reported = chip.next_item;
         }
     }
-    Ok(chip.counts())
+    let counts = chip.counts();
+    Ok((counts, chip.noted))
 }
 
 impl Seat {
@@ -244,19 +271,18 @@ impl<W: Work> Chip<'_, W> {
     /// Serves a request of this slot, or refuses it, as a cache bank is taken or a memory queue full.
     fn serve_one(&mut self, request: Request, slot: usize) -> bool {
         let (number, program, now) = (usize::from(request.tm), self.program, request.cycle);
+        if request.kind == Kind::Counter {
+            let item = self.take_item(request);
+            let seat = &mut self.seats[number];
+            seat.items[usize::from(request.thread)] = item;
+            seat.tm.served(program, request, now + 1);
+            return true;
+        }
         let seat = &mut self.seats[number];
         let tm = &mut seat.tm;
         let again = match request.kind {
             Kind::Load => tm.load_now(program, request, slot),
-            Kind::Store => tm.l1.store_now(slot, request.address),
-            _ => {
-                // Threads that find nothing left leave the counter where it is.
-                let item = self.next_item;
-                self.next_item = self.work.items().min(item + 1);
-                seat.items[usize::from(request.thread)] = item;
-                tm.served(program, request, now + 1);
-                return true;
-            }
+            _ => tm.l1.store_now(slot, request.address),
         };
         match again {
             Access::Served(ready) => {
@@ -304,9 +330,63 @@ impl<W: Work> Chip<'_, W> {
         true
     }
 
+    /// The next item that is timed; threads that find nothing left leave the counter where it is.
+    fn take_item(&mut self, request: Request) -> u32 {
+        self.note(request.cycle);
+        while let Some(range) = self.plan.skipped.get(self.skips).filter(|r| r.start == self.next_item) {
+            self.skip(range.clone(), request);
+            self.next_item = range.end;
+            self.skips += 1;
+            self.note(request.cycle);
+        }
+        let item = self.next_item;
+        self.next_item = self.work.items().min(item + 1);
+        item
+    }
+
+    /// Notes counts if the counter has come to a mark.
+    fn note(&mut self, now: u32) {
+        while self.plan.marks.get(self.noted.len()).is_some_and(|mark| *mark <= self.next_item) {
+            let mut noted = Noted { cycles: now, dram: self.dram.counts(now), ..Noted::default() };
+            for seat in &self.seats {
+                noted.thread_cycles.merge(&seat.tm.cycles);
+                noted.l1.merge(&seat.tm.l1.counts);
+            }
+            self.l2s.iter().for_each(|l2| noted.l2.merge(&l2.counts));
+            self.noted.push(noted);
+        }
+    }
+
+    /// Records the items of `range`, which the thread of `request` has come to; the last of them warm the caches.
+    fn skip(&mut self, range: std::ops::Range<u32>, request: Request) {
+        let thread = &self.seats[usize::from(request.tm)].tm.threads[usize::from(request.thread)];
+        let run = &self.program.runs[thread.tape[thread.at] as usize];
+        let entry = run.next.expect("the program goes on behind the counter");
+        let cold = range.end - range.end.min(self.plan.warming).min(range.len() as u32);
+        let mut words = vec![];
+        for item in range {
+            words.clear();
+            let mut tape = Tape::new(self.program, entry, &mut words, &mut self.skipped_runs).not_timed();
+            tape.event(entry, 0);
+            self.work.record(item, &mut tape);
+            if item < cold {
+                continue;
+            }
+            let number = item as usize % self.seats.len();
+            let l1 = &mut self.seats[number].tm.l1;
+            let l2 = &mut self.l2s[number / self.machine.chip.tms_per_partition as usize];
+            loads(self.program, &words, |word| {
+                let line = word >> self.line_shift;
+                if !l1.warm(line) {
+                    l2.warm(line);
+                }
+            });
+        }
+    }
+
     fn counts(&mut self) -> Counts {
         let cycles = self.seats.iter().map(|seat| seat.tm.last_issue()).max().unwrap_or(0) + 1;
-        let mut counts = Counts { cycles, runs: vec![0; self.program.runs.len()], ..Counts::default() };
+        let mut counts = Counts { cycles, runs: self.skipped_runs.clone(), ..Counts::default() };
         for seat in &mut self.seats {
             seat.tm.finish(cycles);
             counts.thread_cycles.merge(&seat.tm.cycles);

@@ -69,6 +69,11 @@ impl L1 {
         self.lines.begin(start, |line, arrival| outstanding.remove_arrived(line, arrival));
     }
 
+    /// Holds `line` from now on, in no time; whether it did before.
+    pub fn warm(&mut self, line: u32) -> bool {
+        self.lines.warm(line)
+    }
+
     #[inline(always)]
     fn bank(&self, address: u32) -> u64 {
         1 << (address & self.bank_mask)

@@ -55,6 +55,11 @@ impl L2 {
         1 << (address & self.bank_mask)
     }
 
+    /// Holds `line` from now on, in no time.
+    pub fn warm(&mut self, line: u32) {
+        self.lines.warm(line);
+    }
+
     /// Whether `line` is held in cycle `now`.
     pub fn hit(&mut self, now: u32, line: u32) -> bool {
         self.lines.holds(now, line)

@@ -37,6 +37,15 @@ impl Lines {
         self.arrivals.insert(at, (cycle, line));
     }
 
+    /// Holds `line` from now on, in no time; whether it did before.
+    pub fn warm(&mut self, line: u32) -> bool {
+        let held = self.tags.hit(line);
+        if !held {
+            self.tags.fill(line);
+        }
+        held
+    }
+
     /// Whether `line` is held in cycle `now`: what has arrived since the quantum began counts.
     #[inline(always)]
     pub fn holds(&mut self, now: u32, line: u32) -> bool {

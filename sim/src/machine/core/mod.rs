@@ -10,13 +10,15 @@ mod l1;
 mod l2;
 mod lines;
 mod outstanding;
+mod plan;
 mod stats;
 mod tags;
 mod thread;
 mod tm;
 mod work;
 
-pub use chip::{Counts, SimulationError, simulate};
+pub use chip::{Counts, SimulationError, simulate, simulate_plan};
+pub use plan::{Noted, Plan, accesses};
 pub use stats::{CacheCounts, DramCounts, ThreadCycles};
 pub use work::{Tape, Work};
 

@@ -20,6 +20,8 @@ pub struct Tape<'a> {
     words: &'a mut Vec<u32>,
     /// Times that each run was recorded.
     counts: &'a mut [u64],
+    /// Whether the item is timed, not only recorded.
+    timed: bool,
 }
 
 /// Most addresses of a program.
@@ -28,7 +30,19 @@ pub const MAX_BASES: usize = 16;
 impl<'a> Tape<'a> {
     /// A tape that begins at `entry`; the runs are appended to `words` and counted in `counts`.
     pub fn new(program: &'a Program, entry: EntryId, words: &'a mut Vec<u32>, counts: &'a mut [u64]) -> Self {
-        Self { program, entry, addresses: [0; MAX_BASES], words, counts }
+        Self { program, entry, addresses: [0; MAX_BASES], words, counts, timed: true }
+    }
+
+    /// The same for an item that is recorded and not timed.
+    #[must_use]
+    pub fn not_timed(self) -> Self {
+        Self { timed: false, ..self }
+    }
+
+    /// Whether the item is timed.
+    #[must_use]
+    pub fn is_timed(&self) -> bool {
+        self.timed
     }
 
     /// The program.

@@ -148,7 +148,7 @@ impl MachineDescription {
 }
 
 /// The key of a unit in the section `units`.
-pub(in crate::machine) fn unit_key(unit: Unit) -> &'static str {
+pub(crate) fn unit_key(unit: Unit) -> &'static str {
     match unit {
         Unit::FpAdd => "fp_add",
         Unit::FpMul => "fp_mul",

@@ -3,7 +3,7 @@
 //! [`MachineDescription::load`] reads a preset or a file, applies `--set` and checks that the machine can be built. What
 //! the pipelines consist of is not described here: it is read from the hardware (see [`super::pipelines`]).
 
-pub(in crate::machine) mod check;
+pub(crate) mod check;
 mod settings;
 mod size;
 

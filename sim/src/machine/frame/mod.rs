@@ -10,8 +10,10 @@ mod recorder;
 mod structure;
 mod triangle;
 mod walk;
+mod witness;
 
 pub use layout::Layout;
+pub use recorder::Totals;
 pub use structure::{FrameMachine, MachineStructure};
 
 use super::core::{Counts, SimulationError, Tape, Work, simulate};
@@ -58,22 +60,88 @@ pub struct Frame {
     pub triangle_tests: u64,
 }
 
-struct FrameWork<'a> {
+/// The pixels of a frame as work for a machine.
+pub struct FrameWork<'a> {
+    /// The structure's program.
+    pub program: Program,
     renderer: PixelRenderer<'a>,
     traced: Traced<'a>,
     width: u32,
     height: u32,
     names: Names,
     layout: Layout,
+    rtl: bool,
     done: Mutex<Done>,
 }
 
 #[derive(Default)]
 struct Done {
     pixels: Vec<Option<Pixel>>,
-    rays: u64,
-    exact_tests: u64,
-    triangle_tests: u64,
+    totals: Totals,
+}
+
+impl<'a> FrameWork<'a> {
+    /// A frame of `scene` through `structure`, one sample per pixel. With `rtl`, every pipeline operation of an item that is
+    /// timed is also executed by the pipeline's netlist, and compared.
+    ///
+    /// # Errors
+    /// See [`FrameError`].
+    ///
+    /// # Panics
+    /// If `structure` is not of the machine's kind.
+    pub fn new(
+        machine: &FrameMachine,
+        scene: &'a Scene,
+        structure: &'a Structure,
+        options: &RenderOptions,
+        rtl: bool,
+    ) -> Result<Self, FrameError> {
+        assert_eq!(
+            structure.kind(),
+            machine.structure.kind(),
+            "the structure that the machine is set up for"
+        );
+        Self::traced(machine, scene, structure, Traced::Wide(structure), options, rtl)
+    }
+
+    fn traced(
+        machine: &FrameMachine,
+        scene: &'a Scene,
+        structure: &Structure,
+        traced: Traced<'a>,
+        options: &RenderOptions,
+        rtl: bool,
+    ) -> Result<Self, FrameError> {
+        let pixels = options.width * options.height;
+        let program = machine.program()?;
+        Ok(Self {
+            renderer: PixelRenderer::new(scene, options)?,
+            traced,
+            width: options.width,
+            height: options.height,
+            names: Names::new(&program),
+            layout: Layout::new(structure, pixels, &machine.description)?,
+            program,
+            rtl,
+            done: Mutex::new(Done { pixels: vec![None; pixels as usize], totals: Totals::default() }),
+        })
+    }
+
+    /// Where everything lies in memory.
+    #[must_use]
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The pixels recorded so far, row by row from the top, and their totals.
+    ///
+    /// # Panics
+    /// If recording one has panicked.
+    #[must_use]
+    pub fn finish(self) -> (Vec<Option<Pixel>>, Totals) {
+        let done = self.done.into_inner().expect("no panic while it was held");
+        (done.pixels, done.totals)
+    }
 }
 
 impl Work for FrameWork<'_> {
@@ -82,15 +150,14 @@ impl Work for FrameWork<'_> {
     }
 
     fn record(&self, item: u32, tape: &mut Tape<'_>) {
-        let recorder = Recorder::new(self.traced, &self.names, &self.layout, tape);
+        let recorder =
+            Recorder::new(self.traced, &self.names, &self.layout, self.rtl && tape.is_timed(), tape);
         recorder.pixel(self.layout.pixels_at + item * Layout::PIXEL_WORDS);
         let pixel = self.renderer.pixel(&recorder, [item % self.width, item / self.width]);
         let totals = recorder.finish();
         let mut done = self.done.lock().expect("no panic while it was held");
         done.pixels[item as usize] = Some(pixel);
-        done.rays += totals.rays;
-        done.exact_tests += totals.exact_tests;
-        done.triangle_tests += totals.triangle_tests;
+        done.totals.merge(&totals);
     }
 }
 
@@ -146,22 +213,10 @@ fn traced_frame(
     options: &RenderOptions,
     pixels_done: impl FnMut(u32),
 ) -> Result<Frame, FrameError> {
-    let renderer = PixelRenderer::new(scene, options)?;
-    let pixels = options.width * options.height;
-    let layout = Layout::new(structure, pixels, &machine.description)?;
-    let program = machine.program()?;
-    let work = FrameWork {
-        renderer,
-        traced,
-        width: options.width,
-        height: options.height,
-        names: Names::new(&program),
-        layout,
-        done: Mutex::new(Done { pixels: vec![None; pixels as usize], ..Done::default() }),
-    };
-    let counts = simulate(&machine.description, &program, &work, pixels_done)?;
-    let done = work.done.into_inner().expect("no panic while it was held");
-    let Done { pixels, rays, exact_tests, triangle_tests } = done;
+    let work = FrameWork::traced(machine, scene, structure, traced, options, false)?;
+    let counts = simulate(&machine.description, &work.program, &work, pixels_done)?;
+    let program = work.program.clone();
+    let (pixels, Totals { rays, exact_tests, triangle_tests, .. }) = work.finish();
     let pixels = pixels.into_iter().map(|pixel| pixel.expect("every item was taken")).collect();
     Ok(Frame { counts, program, rays, pixels, exact_tests, triangle_tests })
 }

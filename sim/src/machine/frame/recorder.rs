@@ -4,21 +4,42 @@ use super::layout::Layout;
 use super::names::Names;
 use super::triangle::{Side, Tests};
 use super::walk;
+use super::witness;
 use crate::machine::core::Tape;
 use crate::machine::program::{Conditions, EntryId};
+use golden::bvh::BoxStep;
+use golden::dst::{Child, Step};
 use golden::precision::NarrowDst;
 use golden::structure::Structure;
 use golden::traverse::{Trace, Traversal};
 use golden::triangle::{Triangle, TriangleHit};
-use golden::{Hit, TraversalRay};
+use golden::{Aabb, Hit, TraversalRay};
 use std::sync::Mutex;
 
-/// Totals of a pixel.
-#[derive(Clone, Copy, Debug, Default)]
+/// Totals of pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Totals {
+    /// Rays traced.
     pub rays: u64,
+    /// Triangle tests that single precision did not decide.
     pub exact_tests: u64,
+    /// All triangle tests.
     pub triangle_tests: u64,
+    /// Steps and box tests that the pipeline's netlist executed.
+    pub rtl_operations: u64,
+    /// Those whose results are not golden's, bit for bit.
+    pub rtl_differences: u64,
+}
+
+impl Totals {
+    /// Adds those of `other`.
+    pub fn merge(&mut self, other: &Self) {
+        self.rays += other.rays;
+        self.exact_tests += other.exact_tests;
+        self.triangle_tests += other.triangle_tests;
+        self.rtl_operations += other.rtl_operations;
+        self.rtl_differences += other.rtl_differences;
+    }
 }
 
 /// What rays are traced through.
@@ -43,6 +64,8 @@ pub struct State<'a, 'tape, 'words> {
     pub tape: &'tape mut Tape<'words>,
     /// The last event of the last ray: how it goes on depends on what the pixel does next.
     pending: Option<(EntryId, Conditions)>,
+    /// Whether the netlist executes the pipeline's operations too.
+    rtl: bool,
     totals: Totals,
 }
 
@@ -61,9 +84,10 @@ impl<'a, 'tape, 'words> Recorder<'a, 'tape, 'words> {
         traced: Traced<'a>,
         names: &'a Names,
         layout: &'a Layout,
+        rtl: bool,
         tape: &'tape mut Tape<'words>,
     ) -> Self {
-        let state = State { names, layout, tape, pending: None, totals: Totals::default() };
+        let state = State { names, layout, tape, pending: None, rtl, totals: Totals::default() };
         Self { traced, state: Mutex::new(state) }
     }
 
@@ -144,6 +168,29 @@ impl<'a> Query<'a> {
 }
 
 impl State<'_, '_, '_> {
+    /// Compares a step of the dual-split pipeline with its netlist's.
+    #[inline(always)]
+    pub fn step(&mut self, words: [u32; 3], ray: &TraversalRay, here: &Child, golden: &Step) {
+        if self.rtl {
+            let same = witness::step(words, ray, here, golden);
+            self.compared(same);
+        }
+    }
+
+    /// Compares a box test of the ray-box pipeline with its netlist's.
+    #[inline(always)]
+    pub fn box_test(&mut self, bounds: &Aabb, ray: &TraversalRay, t_max: f32, golden: &BoxStep) {
+        if self.rtl {
+            let same = witness::box_test(bounds, ray, t_max, golden);
+            self.compared(same);
+        }
+    }
+
+    fn compared(&mut self, same: bool) {
+        self.totals.rtl_operations += 1;
+        self.totals.rtl_differences += u64::from(!same);
+    }
+
     #[inline(always)]
     pub fn event(&mut self, at: EntryId, conditions: Conditions) {
         self.tape.event(at, conditions);

@@ -4,7 +4,7 @@ use super::recorder::{Query, State};
 use golden::build::MAX_DEPTH;
 use golden::bvh::{BoxStep, Bvh, Bvh2, BvhNode, INDEX, LEAF, box_step};
 use golden::dst::header::Header;
-use golden::dst::{Child, Code, Dst, step};
+use golden::dst::{Child, Code, Dst, Step, step};
 use golden::fp::minimum_number;
 use golden::precision::NarrowDst;
 use golden::ray::PlaneDistances;
@@ -58,21 +58,31 @@ fn pop<T: Copy>(
 /// A dual-split tree, node by node.
 pub fn dst(dst: &Dst, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
     let ray = query.ray;
-    dst_of(dst, ray, [ray.t_min, ray.t_max], |t| t, query, state);
+    let rtl =
+        |words, here: &Child, step: &Step, state: &mut State<'_, '_, '_>| state.step(words, ray, here, step);
+    dst_of(dst, ray, [ray.t_min, ray.t_max], (|t| t, rtl), query, state);
 }
 
 /// A dual-split tree in a narrower format, node by node.
 pub fn narrow_dst(dst: &NarrowDst, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
     let ray = dst.ray(query.ray);
-    dst_of(&dst.structure, &ray, [ray.t_min, ray.t_max], |t| ray.limit(t), query, state);
+    dst_of(
+        &dst.structure,
+        &ray,
+        [ray.t_min, ray.t_max],
+        (|t| ray.limit(t), |_, _: &_, _: &_, _: &mut _| {}),
+        query,
+        state,
+    );
 }
 
-/// `ray` is the query's in the format of the tree, and `limit` makes of the distance of a hit what intervals are compared with.
+/// `ray` is the query's in the format of the tree, and `limit` makes of the distance of a hit what intervals are compared with;
+/// `stepped` is told of every step.
 fn dst_of(
     dst: &Dst,
     ray: &impl PlaneDistances,
     [t_min, t_max]: [f32; 2],
-    limit: impl Fn(f32) -> f32,
+    (limit, stepped): (impl Fn(f32) -> f32, impl Fn([u32; 3], &Child, &Step, &mut State<'_, '_, '_>)),
     query: &mut Query<'_>,
     state: &mut State<'_, '_, '_>,
 ) {
@@ -86,6 +96,7 @@ fn dst_of(
     loop {
         let words = dst.node(here.offset);
         let outcome = step(words, ray, here.t_min, here.t_max);
+        stepped(words, &here, &outcome, state);
         state.tape.address(names.node_address, state.layout.nodes_at + here.offset);
         let conditions = if names.decodes {
             decoding(words, ray, here, outcome.code, state)
@@ -186,7 +197,11 @@ pub fn bvh2(bvh: &Bvh2, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
             let [left, right] = bvh.children(word) else {
                 unreachable!("inner nodes of a binary hierarchy have two children");
             };
-            let [l, r] = [left, right].map(|c| box_step(&c.aabb, query.ray, query.ray.t_min, query.t_max));
+            let [l, r] = [left, right].map(|c| {
+                let test = box_step(&c.aabb, query.ray, query.ray.t_min, query.t_max);
+                state.box_test(&c.aabb, query.ray, query.t_max, &test);
+                test
+            });
             let conditions = if l.hit { names.hit_left } else { 0 } | if r.hit { names.hit_right } else { 0 };
             state.event(names.node, conditions);
             match (l.hit, r.hit) {
@@ -265,6 +280,7 @@ fn children(
         state.tape.address(names.child_address, at + address(child));
         let ends = if child == last { names.last_child } else { 0 };
         let test = box_step(&node.aabb, query.ray, query.ray.t_min, query.t_max);
+        state.box_test(&node.aabb, query.ray, query.t_max, &test);
         if !test.hit {
             state.event(names.child, ends);
             continue;

@@ -1,7 +1,7 @@
-//! `dualsplit chart`: a cost against an error.
+//! `dualsplit chart precision`: visits, errors, area, energy and time in every format.
 
 use crate::artifacts::Artifacts;
-use crate::cli::{ChartArgs, ChartKind, Global, PrecisionArgs};
+use crate::cli::{Global, PrecisionArgs};
 use crate::console::{Report, fixed, progress, table};
 use crate::input::{self, Built, display};
 use golden::precision::{Precision, Variant};
@@ -32,13 +32,7 @@ struct Document {
     artifacts: Vec<String>,
 }
 
-pub fn run(args: &ChartArgs, global: &Global) -> anyhow::Result<Report> {
-    match &args.chart {
-        ChartKind::Precision(args) => precision(args, global),
-    }
-}
-
-fn precision(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
+pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
     let scene = input::scene(&args.scene, global)?;
     let folder = args.out.clone().unwrap_or_else(|| format!("precision-{}", scene.name).into());
     let mut artifacts = Artifacts::create(&folder, global.force)?;

@@ -1,0 +1,144 @@
+//! How large the main job is.
+
+use super::stages::Stage;
+use golden::build::Quality;
+use scenes::procedural::CATALOGUE;
+
+/// A size of the job.
+pub struct Preset {
+    pub name: &'static str,
+    /// About this many triangles to a scene, but not fewer than its coarsest level has.
+    pub triangles: f64,
+    pub quality: Quality,
+    /// Side of the renderings in which work is counted, in pixels, with one sample each.
+    pub measured_side: u32,
+    /// Side of the pictures.
+    pub picture_side: u32,
+    pub picture_samples: u32,
+    /// About how many seconds trees, work and pictures of a scene take on two cores.
+    pub scene_seconds: f64,
+    /// The other parts.
+    pub stages: fn() -> Vec<Stage>,
+}
+
+pub const PRESETS: [Preset; 3] = [
+    // To see in seconds whether everything works.
+    Preset {
+        name: "smoke",
+        triangles: 1.0,
+        quality: Quality::Fast,
+        measured_side: 24,
+        picture_side: 48,
+        picture_samples: 1,
+        scene_seconds: 0.5,
+        stages: smoke,
+    },
+    // Three minutes on two cores are plenty for it.
+    Preset {
+        name: "quick",
+        triangles: 60_000.0,
+        quality: Quality::High,
+        measured_side: 192,
+        picture_side: 320,
+        picture_samples: 8,
+        scene_seconds: 6.0,
+        stages: quick,
+    },
+    // Everything at full size: many hours.
+    Preset {
+        name: "paper",
+        triangles: f64::INFINITY,
+        quality: Quality::High,
+        measured_side: 512,
+        picture_side: 512,
+        picture_samples: 64,
+        scene_seconds: 600.0,
+        stages: paper,
+    },
+];
+
+/// A machine of two multiprocessors: small frames keep it busy.
+const SMALL: &str = "--set chip.l2_partitions=1 --set chip.tms_per_partition=2";
+
+fn smoke() -> Vec<Stage> {
+    let mut stages = vec![
+        Stage::new("check", 1.0, "check --unit dual_split --vectors 200"),
+        Stage::new(
+            "precision",
+            1.0,
+            "chart precision statue --detail 0.0005 --size 12x12 --quality fast --simulate false --out OUT",
+        ),
+        Stage::new(
+            "fidelity",
+            1.0,
+            "chart fidelity statue --detail 0.0005 --size 24x24 --repeats 1 --quality fast --rtl false \
+             --set chip.l2_partitions=1 --set chip.tms_per_partition=1 --out OUT",
+        ),
+        Stage::new(
+            "stress",
+            1.0,
+            "stress --rays 2 --aimed 400 --searches 0 --pictures false --method dst/binary32-fast \
+             --method dst/binary32-robust --out OUT",
+        ),
+    ];
+    stages.extend(
+        needs(0.5, |scene| format!("needs {scene} --detail 0.0005 --size 8x8 --quality fast --out OUT"))
+            .take(1),
+    );
+    stages
+}
+
+fn quick() -> Vec<Stage> {
+    let mut stages = vec![
+        Stage::new("check", 6.0, "check --vectors 20000"),
+        Stage::new("estimate", 25.0, "estimate --detail 0.002"),
+        Stage::new("study", 60.0, "study --preset quick --out OUT"),
+        Stage::new("precision", 12.0, "chart precision courtyard --detail 0.01 --size 24x24 --out OUT"),
+        Stage::new(
+            "fidelity",
+            30.0,
+            &format!("chart fidelity courtyard --detail 0.01 --size 64x64 --repeats 2 {SMALL} --out OUT"),
+        ),
+        Stage::new("stress", 15.0, "stress --rays 20 --aimed 4000 --searches 1 --out OUT"),
+    ];
+    stages.extend(needs(2.0, |scene| format!("needs {scene} --detail 0.01 --size 24x24 --out OUT")));
+    stages
+}
+
+fn paper() -> Vec<Stage> {
+    let hour = 3600.0;
+    let mut stages = vec![
+        Stage::new("check", 600.0, "check --vectors 100000000"),
+        Stage::new("estimate", 300.0, "estimate --detail 0.1"),
+    ];
+    // One part for each scene; all of them write the same folder, where each finds what the others have done.
+    stages.extend(CATALOGUE.iter().map(|entry| Stage {
+        folder: "study".to_owned(),
+        ..Stage::new(
+            &format!("study-{}", entry.name),
+            hour,
+            &format!("study --preset paper --scene {} --out OUT", entry.name),
+        )
+    }));
+    stages.push(Stage::new(
+        "precision",
+        hour,
+        "chart precision courtyard --detail 1 --size 256x256 --out OUT",
+    ));
+    stages.push(Stage::new(
+        "fidelity",
+        2.0 * hour,
+        "chart fidelity atrium --detail 1 --size 512x512 --repeats 10 --set chip.l2_partitions=4 --set \
+         chip.tms_per_partition=8 --out OUT",
+    ));
+    stages.push(Stage::new("stress", hour, "stress --rays 20000 --aimed 10000000 --searches 256 --out OUT"));
+    stages.extend(needs(0.5 * hour, |scene| format!("needs {scene} --detail 1 --size 128x128 --out OUT")));
+    stages
+}
+
+/// The needs of each built-in scene.
+fn needs(seconds: f64, line: fn(&str) -> String) -> impl Iterator<Item = Stage> {
+    CATALOGUE
+        .iter()
+        .map(move |entry| Stage::new(&format!("needs-{}", entry.name), seconds, &line(entry.name)))
+}

@@ -1,0 +1,166 @@
+//! The parts of the main job: each is a command of the tool with the options that the report shows beside its results.
+//!
+//! The result of each part stands under `stages/`. As long as the job is not complete, the same job, started again by the
+//! same program, takes them from there.
+
+use super::super::dispatch;
+use crate::artifacts::Artifacts;
+use crate::cli::{Cli, Global};
+use crate::input::display;
+use anyhow::{Context, bail};
+use clap::Parser;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::time::{Instant, UNIX_EPOCH};
+
+/// A part of the job.
+pub struct Stage {
+    /// Name of its result file.
+    pub name: String,
+    /// The folder that it fills, if it fills one.
+    pub folder: String,
+    /// Words of the command; [`FOLDER`] stands for the folder.
+    pub words: Vec<String>,
+    /// About how many seconds it takes on two cores, to tell how long the rest takes.
+    pub seconds: f64,
+}
+
+/// The folder of a stage, in its command.
+pub const FOLDER: &str = "OUT";
+
+/// What a part has found.
+#[derive(Serialize, Deserialize)]
+pub struct Outcome {
+    /// The command that was run, as typed.
+    pub command: String,
+    /// Its JSON document.
+    pub report: Value,
+    /// Whether a check has found a difference.
+    pub difference: bool,
+    /// Of the host.
+    pub seconds: f64,
+}
+
+impl Stage {
+    /// The stage `name`, which runs the command `line`.
+    pub fn new(name: &str, seconds: f64, line: &str) -> Self {
+        let words = line.split_whitespace().map(str::to_owned).collect();
+        Self { name: name.to_owned(), folder: name.to_owned(), words, seconds }
+    }
+}
+
+/// A job in a folder, with what an interrupted run of it has left there.
+pub struct Job<'a> {
+    folder: &'a Path,
+    global: Global,
+    resumed: bool,
+    /// Seconds that the stages done in this run were expected to take, and took.
+    expected: f64,
+    taken: f64,
+    /// Seconds that those ahead are expected to take.
+    ahead: f64,
+    left: usize,
+}
+
+/// Says which job has not been completed.
+const UNFINISHED: &str = "stages/unfinished.json";
+
+impl<'a> Job<'a> {
+    /// Begins `job`, or goes on with it; `seconds` are those of `parts` parts together.
+    pub fn begin(
+        folder: &'a Path,
+        job: &str,
+        global: &Global,
+        artifacts: &mut Artifacts,
+        (parts, seconds): (usize, f64),
+        folders: &BTreeSet<&str>,
+    ) -> anyhow::Result<Self> {
+        let identity = format!("{job}, seed {}, {}\n", global.seed, program()?);
+        let resumed = fs::read_to_string(folder.join(UNFINISHED)).is_ok_and(|text| text == identity);
+        if !resumed {
+            // What an earlier job has left must not be mistaken for results of this program.
+            for folder in folders.iter().map(|name| folder.join(name)).filter(|folder| folder.is_dir()) {
+                Artifacts::create(&folder, false)?.finish()?;
+            }
+        }
+        artifacts.write(UNFINISHED, identity.as_bytes())?;
+        let global = Global { json: true, force: false, ..*global };
+        Ok(Self { folder, global, resumed, expected: 0.0, taken: 0.0, ahead: seconds, left: parts })
+    }
+
+    /// The result of part `name`, from an interrupted run or from `make`, which is expected to take so many seconds.
+    pub fn part<T: Serialize + serde::de::DeserializeOwned>(
+        &mut self,
+        name: &str,
+        seconds: f64,
+        artifacts: &mut Artifacts,
+        make: impl FnOnce(&mut Artifacts) -> anyhow::Result<T>,
+    ) -> anyhow::Result<T> {
+        let file = format!("stages/{name}.json");
+        self.left -= 1;
+        self.ahead -= seconds;
+        let kept = self.resumed.then(|| fs::read_to_string(self.folder.join(&file)).ok()).flatten();
+        if let Some(result) = kept.and_then(|text| serde_json::from_str(&text).ok()) {
+            artifacts.keep(&file);
+            eprintln!("{name}: taken from the interrupted run");
+            return Ok(result);
+        }
+        eprintln!("{name}: {}", self.time_left(seconds));
+        let start = Instant::now();
+        let result = make(artifacts)?;
+        artifacts.write(&file, serde_json::to_string_pretty(&result)?.as_bytes())?;
+        self.taken += start.elapsed().as_secs_f64();
+        self.expected += seconds;
+        Ok(result)
+    }
+
+    /// What is still to be done, by the expected times and how they compared so far.
+    fn time_left(&self, seconds: f64) -> String {
+        let pace = if self.expected > 0.0 { self.taken / self.expected } else { 1.0 };
+        let left = (self.ahead + seconds) * pace;
+        let time = if left < 120.0 { format!("{left:.0} s") } else { format!("{:.0} min", left / 60.0) };
+        let basis = if self.expected > 0.0 { "at the pace so far" } else { "as on two cores" };
+        format!("{} parts and about {time} left, {basis}", self.left + 1)
+    }
+
+    /// Runs `stage`, or takes its result from an interrupted run.
+    pub fn run(&mut self, stage: &Stage, artifacts: &mut Artifacts) -> anyhow::Result<Outcome> {
+        let folder = self.folder.join(&stage.folder);
+        let global = self.global;
+        self.part(&stage.name, stage.seconds, artifacts, |_| {
+            let seed = (global.seed != 0).then(|| format!("--seed {}", global.seed));
+            let mut words = vec!["dualsplit".to_owned()];
+            words.extend(
+                stage.words.iter().map(|word| if word == FOLDER { display(&folder) } else { word.clone() }),
+            );
+            words.extend(seed.iter().flat_map(|seed| seed.split(' ')).map(str::to_owned));
+            let command = words.join(" ");
+            let cli = Cli::try_parse_from(&words).with_context(|| command.clone())?;
+            let Some(parsed) = &cli.command else { bail!("{command}: no command") };
+            let start = Instant::now();
+            let report = dispatch(parsed, &global).with_context(|| command.clone())?;
+            Ok(Outcome {
+                report: serde_json::from_str(&report.render(true))?,
+                difference: report.difference,
+                command,
+                seconds: start.elapsed().as_secs_f64(),
+            })
+        })
+    }
+
+    /// The job is complete: nothing is left to go on with.
+    pub fn finish(self, artifacts: &mut Artifacts) {
+        artifacts.drop(UNFINISHED);
+    }
+}
+
+/// The running program: results of another build are not taken over.
+fn program() -> anyhow::Result<String> {
+    let path = std::env::current_exe()?;
+    let file = fs::metadata(&path).with_context(|| display(&path))?;
+    let modified = file.modified()?.duration_since(UNIX_EPOCH).map(|time| time.as_nanos()).unwrap_or(0);
+    Ok(format!("program of {} bytes made at {modified} ns", file.len()))
+}
