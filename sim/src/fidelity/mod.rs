@@ -33,6 +33,7 @@ pub mod auto;
 pub mod batches;
 pub mod ratio;
 mod sampled;
+mod window;
 
 pub use sampled::{BIAS, Estimate, Sample, Subject};
 

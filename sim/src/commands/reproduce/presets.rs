@@ -92,7 +92,7 @@ fn quick() -> Vec<Stage> {
     let mut stages = vec![
         Stage::new("check", 6.0, "check --vectors 20000"),
         Stage::new("estimate", 25.0, "estimate --detail 0.002"),
-        Stage::new("study", 60.0, "study --preset quick --out OUT"),
+        Stage::new("study", 60.0, "study --preset small --out OUT"),
         Stage::new("precision", 12.0, "chart precision courtyard --detail 0.01 --size 24x24 --out OUT"),
         Stage::new(
             "fidelity",

@@ -18,6 +18,8 @@ pub struct Preset {
     scaling_tms: &'static [u32],
 }
 
+/// For the main job, which has two minutes for it.
+const SMALL: Preset = Preset { width: 32, height: 32, ..QUICK };
 const QUICK: Preset =
     Preset { detail: 0.02, width: 64, height: 64, chip: [1, 4], scaling_tms: &[1, 2, 4, 8] };
 const MEDIUM: Preset =
@@ -27,10 +29,10 @@ const PAPER: Preset = Preset { detail: 1.0, width: 256, height: 256, ..MEDIUM };
 impl Preset {
     /// The preset `name` of the command line.
     pub fn find(name: &str) -> anyhow::Result<&'static Self> {
-        [("quick", &QUICK), ("medium", &MEDIUM), ("paper", &PAPER)]
+        [("small", &SMALL), ("quick", &QUICK), ("medium", &MEDIUM), ("paper", &PAPER)]
             .into_iter()
             .find_map(|(known, preset)| (known == name).then_some(preset))
-            .with_context(|| format!("--preset {name}: the presets are quick, medium and paper"))
+            .with_context(|| format!("--preset {name}: the presets are small, quick, medium and paper"))
     }
 }
 

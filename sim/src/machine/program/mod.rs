@@ -6,89 +6,17 @@
 
 mod isa;
 mod listing;
+mod run;
 
 pub use isa::{Place, REGISTERS, Register};
 pub use listing::{Listing, ListingError};
+pub use run::{
+    COUNTER, Kind, MicroOp, Operands, PIPELINE, POOLS, Run, RunId, SCOREBOARD, SINK, UNLIMITED, pool_of,
+};
 
 use super::description::MachineDescription;
 use isa::ZERO;
 use listing::{Control, Instruction};
-
-/// What the core has to do for an operation beyond waiting for its unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[repr(u8)]
-pub enum Kind {
-    /// Nothing.
-    Plain,
-    /// Nothing, and it counts as a nop.
-    Nop,
-    /// A load from global memory.
-    Load,
-    /// A store to global memory.
-    Store,
-    /// The next item of work.
-    Counter,
-}
-
-/// An operation as the core executes it.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct MicroOp {
-    /// Whether waiting for its operands and its unit and writing its result is all there is to do.
-    pub simple: bool,
-    /// Index of the unit pool, see [`pool_of`].
-    pub pool: u8,
-    /// What else there is to do.
-    pub kind: Kind,
-    /// Whether a run ends here.
-    pub last: bool,
-    /// Whether it reaches the thread's local store.
-    pub local_store: bool,
-    /// Bank of the instruction cache.
-    pub bank: u8,
-    /// Registers that it waits for; register zero is always ready.
-    pub reads: [Register; 3],
-    /// Register that it writes; [`SINK`] for none.
-    pub write: Register,
-    /// Cycles until the result can be used.
-    pub latency: u8,
-    /// For memory operations, which of the event's addresses they are relative to.
-    pub base: u8,
-    /// Words behind that address.
-    pub offset: u16,
-    /// Index of its further operands in [`Program::operands`]; 0 for none.
-    pub operands: u16,
-}
-
-/// Registers of an operation that do not fit in it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Operands {
-    /// All registers written, where there are several.
-    pub writes: Vec<Register>,
-    /// Registers that it waits for beyond the first three.
-    pub reads: Vec<Register>,
-}
-
-/// Written by operations without result.
-pub const SINK: Register = REGISTERS as Register;
-/// Entries of a scoreboard.
-pub const SCOREBOARD: usize = REGISTERS + 1;
-
-/// Index of a run in [`Program::runs`].
-pub type RunId = u32;
-
-/// Operations from one entry point to the next.
-#[derive(Clone, Debug)]
-pub struct Run {
-    /// Index of its first operation.
-    pub first: u32,
-    /// Number of operations.
-    pub length: u32,
-    /// Names of the addresses that it needs, as indices of [`Program::bases`], in the order in which an event gives them.
-    pub bases: Vec<u8>,
-    /// The entry point that follows; none at the end of the program.
-    pub next: Option<EntryId>,
-}
 
 /// Index of an entry point.
 pub type EntryId = u8;
@@ -122,26 +50,6 @@ struct Entry {
     bits: Vec<Conditions>,
     /// The run for each combination of these conditions.
     runs: Vec<RunId>,
-}
-
-/// Number of pools: the shared units, then one for what is not limited.
-pub const POOLS: usize = crate::unit_costs::Unit::ALL.len() + 3;
-/// The pool of what is not limited.
-pub const UNLIMITED: u8 = crate::unit_costs::Unit::ALL.len() as u8;
-/// The pool of the pipeline: one operation a cycle.
-pub const PIPELINE: u8 = UNLIMITED + 1;
-/// The pool of the shared counter: one operation a cycle.
-pub const COUNTER: u8 = UNLIMITED + 2;
-
-/// The pool that an operation takes its unit from.
-#[must_use]
-pub fn pool_of(place: Place) -> u8 {
-    match place {
-        Place::Unit(unit) => unit as u8,
-        Place::Pipeline => PIPELINE,
-        Place::Counter => COUNTER,
-        Place::Registers | Place::LocalStore | Place::Load | Place::Store | Place::Nop => UNLIMITED,
-    }
 }
 
 /// The name of the entry point at which every thread starts.
