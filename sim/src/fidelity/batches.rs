@@ -135,8 +135,8 @@ mod tests {
         assert_eq!(plan.skipped, [10..25, 40..55, 70..85]);
         assert_eq!(plan.marks, [0, 10, 30, 40, 60, 70, 90, 100]);
         // A lead that reaches into timed pixels leaves nothing out.
-        let draw = Draw { strata: vec![(8, vec![1, 2])] };
-        assert_eq!(batches.plan(&draw, 25, 7).skipped, vec![Range { start: 30, end: 65 }]);
+        let early = Draw { strata: vec![(8, vec![1, 2])] };
+        assert_eq!(batches.plan(&early, 25, 7).skipped, vec![Range { start: 30, end: 65 }]);
         let plan = batches.with_end(3).plan(&draw, 5, 7);
         assert_eq!(plan.skipped, [10..25, 40..55], "the end begins where a measured batch ends");
         assert_eq!(plan.marks, [0, 10, 30, 40, 60, 70, 70, 100]);

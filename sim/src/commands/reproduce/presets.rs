@@ -93,13 +93,13 @@ fn quick() -> Vec<Stage> {
         Stage::new("check", 6.0, "check --vectors 20000"),
         Stage::new("estimate", 25.0, "estimate --detail 0.002"),
         Stage::new("study", 60.0, "study --preset small --out OUT"),
-        Stage::new("precision", 12.0, "chart precision courtyard --detail 0.01 --size 24x24 --out OUT"),
+        Stage::new("precision", 12.0, "chart precision courtyard --detail 0.005 --size 16x16 --out OUT"),
         Stage::new(
             "fidelity",
             30.0,
             &format!("chart fidelity courtyard --detail 0.01 --size 64x64 --repeats 2 {SMALL} --out OUT"),
         ),
-        Stage::new("stress", 15.0, "stress --rays 20 --aimed 4000 --searches 1 --out OUT"),
+        Stage::new("stress", 15.0, "stress --rays 8 --aimed 1500 --searches 1 --out OUT"),
     ];
     stages.extend(needs(2.0, |scene| format!("needs {scene} --detail 0.01 --size 24x24 --out OUT")));
     stages

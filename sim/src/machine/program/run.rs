@@ -45,7 +45,7 @@ pub struct MicroOp {
     pub base: u8,
     /// Words behind that address.
     pub offset: u16,
-    /// Index of its further operands in [`Program::operands`]; 0 for none.
+    /// Index of its further operands in [`super::Program::operands`]; 0 for none.
     pub operands: u16,
 }
 
@@ -63,7 +63,7 @@ pub const SINK: Register = REGISTERS as Register;
 /// Entries of a scoreboard.
 pub const SCOREBOARD: usize = REGISTERS + 1;
 
-/// Index of a run in [`Program::runs`].
+/// Index of a run in [`super::Program::runs`].
 pub type RunId = u32;
 
 /// Operations from one entry point to the next.
@@ -73,7 +73,7 @@ pub struct Run {
     pub first: u32,
     /// Number of operations.
     pub length: u32,
-    /// Names of the addresses that it needs, as indices of [`Program::bases`], in the order in which an event gives them.
+    /// Names of the addresses that it needs, as indices of [`super::Program::bases`], in the order in which an event gives them.
     pub bases: Vec<u8>,
     /// The entry point that follows; none at the end of the program.
     pub next: Option<EntryId>,
