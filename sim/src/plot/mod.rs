@@ -13,8 +13,8 @@ pub use chart::{Axis, Chart, Point, Series, Style};
 
 use plotters::prelude::RGBColor;
 
-/// Okabe and Ito's palette without its yellow, which is hard to see on white; black last.
-const PALETTE: [RGBColor; 7] = [
+/// Okabe and Ito's palette with a grey for its yellow, which is hard to see on white.
+const PALETTE: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(230, 159, 0),
     RGBColor(0, 158, 115),
@@ -22,6 +22,7 @@ const PALETTE: [RGBColor; 7] = [
     RGBColor(86, 180, 233),
     RGBColor(213, 94, 0),
     RGBColor(0, 0, 0),
+    RGBColor(153, 153, 153),
 ];
 
 /// Text and axes.
