@@ -174,7 +174,21 @@ fn reference_runs_are_within_their_tolerance() {
         let run = reference.validate(run).unwrap();
         assert_eq!(run.result_mismatches, 0, "{} {}", run.set, run.variant);
         assert!(run.error_pct.abs() <= run.tolerance_pct, "{run:?}");
-        // Without a first-level cache the reference joins loads of a word, this machine those of a line.
-        assert!(run.within || run.variant == "l1off", "{run:?}");
+        // Without a first-level cache the reference joins loads of a word, this machine those of a line: one energy differs.
+        if run.variant == "l1off" {
+            let others = [
+                run.l1_hit_pct,
+                run.l2_hit_pct,
+                run.units_uj,
+                run.l1_uj,
+                run.icache_uj,
+                run.local_store_uj,
+                run.registers_uj,
+            ];
+            assert!(others.iter().all(|compared| compared.within) && !run.l2_uj.within, "{run:?}");
+            assert!(run.instructions_error_pct.abs() <= 3.0, "{run:?}");
+        } else {
+            assert!(run.within, "{run:?}");
+        }
     }
 }
