@@ -174,7 +174,8 @@ fn reference_runs_are_within_their_tolerance() {
         let run = reference.validate(run).unwrap();
         assert_eq!(run.result_mismatches, 0, "{} {}", run.set, run.variant);
         assert!(run.error_pct.abs() <= run.tolerance_pct, "{run:?}");
-        // Without a first-level cache the reference joins loads of a word, this machine those of a line: one energy differs.
+        // Without a first-level cache, how many loads reach the second-level cache depends on how many cycles lie between loads of
+        // a line, which the kernel decides: one energy differs.
         if run.variant == "l1off" {
             let others = [
                 run.l1_hit_pct,

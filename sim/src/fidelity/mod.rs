@@ -23,8 +23,8 @@
 //! and what reaches second-level caches and memory, is estimated: per instruction, by the ratio of sums over sampled
 //! batches ([`ratio`]). Batches of different work then differ little. Batches are drawn at random, two from each of equally
 //! long strata of the frame, so that neighbouring parts of the picture stand for each other, and the variance follows from the
-//! pairs (W. G. Cochran, "Sampling Techniques", 1977, sections 5A.12 and 6.11). The interval is Student's, with as many
-//! degrees of freedom as strata, widened by what warming is measured to miss ([`BIAS`]).
+//! pairs (W. G. Cochran, "Sampling Techniques", 1977, sections 5A.12 and 6.11). The interval is Student's, with the
+//! degrees of freedom that the pairs show, widened by what warming is measured to miss ([`BIAS`]).
 //!
 //! [`auto`] starts at the cheapest level and adds what the tolerance asks for.
 

@@ -69,23 +69,34 @@ pub struct Job {
 }
 
 impl Job {
-    /// All of a scene. What a series shares with the main one is simulated once, there.
+    /// All of a scene, the main series first. What a series shares with it is simulated once, there.
     pub fn of_scene(scene: &str, preset: &Preset) -> Vec<Self> {
-        let mut jobs = vec![];
-        for structure in MachineStructure::ALL {
-            let main =
-                |test| Self { structure, test, series: Series::Main, chip: preset.chip, load_words: "1" };
-            jobs.extend(Test::ALL.map(main));
-            if scene == SCALING_SCENE {
-                let chips = preset.scaling_tms.iter().map(|tms| [tms.div_ceil(8), (*tms).min(8)]);
-                let others = chips.filter(|chip| *chip != preset.chip);
-                jobs.extend(others.map(|chip| Self { series: Series::Scaling, chip, ..main(SCALING_TEST) }));
-            }
-            if WIDTH_SCENES.contains(&scene) {
-                let wider = |load_words| Self { series: Series::LoadWidth, load_words, ..main(WIDTH_TEST) };
-                jobs.extend(WIDER_LOADS.map(wider));
+        let main = |structure| {
+            Test::ALL.map(|test| Self {
+                structure,
+                test,
+                series: Series::Main,
+                chip: preset.chip,
+                load_words: "1",
+            })
+        };
+        let mut jobs: Vec<Self> = MachineStructure::ALL.into_iter().flat_map(main).collect();
+        let of_test = |test: Test| jobs.iter().filter(move |job| job.test == test).copied();
+        let mut others = vec![];
+        if scene == SCALING_SCENE {
+            let chips = preset.scaling_tms.iter().map(|tms| [tms.div_ceil(8), (*tms).min(8)]);
+            for chip in chips.filter(|chip| *chip != preset.chip) {
+                let job = |job| Self { series: Series::Scaling, chip, ..job };
+                others.extend(of_test(SCALING_TEST).map(job));
             }
         }
+        if WIDTH_SCENES.contains(&scene) {
+            for load_words in WIDER_LOADS {
+                let job = |job| Self { series: Series::LoadWidth, load_words, ..job };
+                others.extend(of_test(WIDTH_TEST).map(job));
+            }
+        }
+        jobs.extend(others);
         jobs
     }
 

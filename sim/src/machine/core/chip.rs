@@ -1,15 +1,16 @@
 //! The chip, cycle by cycle.
 
-use super::dram::{Dram, Read, Requester};
-use super::l1::Access;
+mod serve;
+
+use super::blocked::Blocked;
+use super::dram::Dram;
 use super::l2::L2;
-use super::outstanding::UNKNOWN;
 use super::plan::{Noted, Plan, loads};
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
 use super::tm::{QUANTUM, Request, Tm};
 use super::work::{Tape, Work};
 use crate::machine::description::MachineDescription;
-use crate::machine::program::{Conditions, EntryId, Kind, Program, START};
+use crate::machine::program::{Conditions, EntryId, Program, START};
 use rayon::prelude::*;
 
 /// Why a simulation stops.
@@ -68,6 +69,8 @@ struct Chip<'a, W> {
     length: u32,
     /// What is asked of the chip, by slot of the quantum.
     requests: [Vec<Request>; QUANTUM],
+    /// Reads that found their memory channel full.
+    blocked: Blocked,
     no_more: Conditions,
     line_shift: u32,
     plan: &'a Plan,
@@ -123,6 +126,7 @@ pub fn simulate_plan<W: Work>(
         now: 0,
         length: Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32),
         requests: Default::default(),
+        blocked: Blocked::new(machine.dram.channels),
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
         plan,
@@ -213,8 +217,10 @@ impl<W: Work> Chip<'_, W> {
             seat.tm.quantum(program, start, end);
             seat.change_tapes(program, work, no_more, [start, end]);
         });
-        while self.seats.iter().any(|seat| !seat.tm.outbox.is_empty()) {
-            self.serve(start);
+        let mut wakes = !self.blocked.is_empty();
+        while wakes || self.seats.iter().any(|seat| !seat.tm.outbox.is_empty()) {
+            self.serve(start, wakes);
+            wakes = false;
             for seat in &mut self.seats {
                 seat.change_tapes(program, work, no_more, [start, end]);
                 seat.tm.catch_up(program, start, end);
@@ -228,106 +234,11 @@ impl<W: Work> Chip<'_, W> {
     fn next_start(&self, end: u32) -> u32 {
         let next = self.seats.iter().map(|seat| seat.tm.next_time()).min().unwrap_or(end);
         // A line whose time is known is announced before it arrives.
-        if next <= end || self.dram.has_news() {
+        if next <= end || self.dram.has_news() || self.blocked.could_go_on(&self.dram) {
             return end;
         }
         let next = next.min(self.dram.next_command());
         if next == u32::MAX { end } else { next.max(end) }
-    }
-
-    /// Serves what multiprocessors ask in the order of time.
-    fn serve(&mut self, start: u32) {
-        let mut requests = std::mem::take(&mut self.requests);
-        for seat in &mut self.seats {
-            seat.tm
-                .outbox
-                .drain(..)
-                .for_each(|request| requests[(request.cycle - start) as usize].push(request));
-        }
-        // In one cycle, multiprocessors come in ring order from another one each time.
-        let (count, first) = (self.seats.len() as u32, start / self.length);
-        for slot in 0..self.length as usize {
-            let mut now = std::mem::take(&mut requests[slot]);
-            now.sort_by_key(|request| (u32::from(request.tm) + count - first % count) % count);
-            for mut request in now.drain(..) {
-                if self.serve_one(request, slot) {
-                    continue;
-                }
-                let tm = &mut self.seats[usize::from(request.tm)].tm;
-                // Nothing else can happen to its thread before it tries again.
-                if slot + 1 < self.length as usize {
-                    tm.cycles.memory += 1;
-                    request.cycle += 1;
-                    requests[slot + 1].push(request);
-                } else {
-                    tm.refused(request);
-                }
-            }
-            requests[slot] = now;
-        }
-        self.requests = requests;
-    }
-
-    /// Serves a request of this slot, or refuses it, as a cache bank is taken or a memory queue full.
-    fn serve_one(&mut self, request: Request, slot: usize) -> bool {
-        let (number, program, now) = (usize::from(request.tm), self.program, request.cycle);
-        if request.kind == Kind::Counter {
-            let item = self.take_item(request);
-            let seat = &mut self.seats[number];
-            seat.items[usize::from(request.thread)] = item;
-            seat.tm.served(program, request, now + 1);
-            return true;
-        }
-        let seat = &mut self.seats[number];
-        let tm = &mut seat.tm;
-        let again = match request.kind {
-            Kind::Load => tm.load_now(program, request, slot),
-            _ => tm.l1.store_now(slot, request.address),
-        };
-        match again {
-            Access::Served(ready) => {
-                tm.served(program, request, ready);
-                return true;
-            }
-            Access::Refused => return false,
-            Access::Ask => {}
-        }
-        let l2 = &mut self.l2s[number / self.machine.chip.tms_per_partition as usize];
-        if !l2.is_free(slot, request.address) {
-            return false;
-        }
-        let line = request.address >> self.line_shift;
-        self.dram.advance(now);
-        if request.kind == Kind::Store {
-            if !self.dram.write(now, line) {
-                return false;
-            }
-            l2.take(slot, request.address);
-            l2.counts.stores += 1;
-            tm.l1.stored(slot, request.address);
-            tm.served(program, request, now + 1);
-            return true;
-        }
-        let hit = l2.hit(now, line);
-        let from_l2 = self.machine.l2.latency_cycles + self.machine.l1.latency_cycles;
-        let arrival = if hit {
-            now + from_l2
-        } else {
-            match self.dram.read(now, line, Requester { tm: number as u16 }) {
-                Read::Refused => return false,
-                Read::Queued => UNKNOWN,
-                Read::Arrives(cycle) => {
-                    l2.arrives(line, cycle);
-                    cycle + from_l2
-                }
-            }
-        };
-        l2.take(slot, request.address);
-        l2.counts.loads += 1;
-        l2.counts.hits += u64::from(hit);
-        tm.taken(program, request, slot, arrival);
-        tm.served(program, request, arrival);
-        true
     }
 
     /// The next item that is timed; threads that find nothing left leave the counter where it is.

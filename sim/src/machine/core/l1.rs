@@ -12,7 +12,8 @@ use crate::machine::program::Register;
 pub struct L1 {
     lines: Lines,
     enabled: bool,
-    latency: u32,
+    /// Cycles from its lines to a register; none where there is no L1.
+    pub latency_cycles: u32,
     bank_mask: u32,
     line_shift: u32,
     /// Banks that are taken, by slot.
@@ -20,6 +21,8 @@ pub struct L1 {
     /// Banks that a request to the chip takes if it is served, by slot.
     asked: [u64; QUANTUM],
     outstanding: Outstanding,
+    /// Lines that the chip has been asked for.
+    pub lines_asked: u32,
     /// What happened.
     pub counts: CacheCounts,
 }
@@ -50,12 +53,13 @@ impl L1 {
         Self {
             lines: Lines::new(cache),
             enabled: cache.enabled,
-            latency: cache.latency_cycles,
+            latency_cycles: if cache.enabled { cache.latency_cycles } else { 0 },
             bank_mask: cache.banks - 1,
             line_shift: cache.line_words().trailing_zeros(),
             busy: [0; QUANTUM],
             asked: [0; QUANTUM],
             outstanding: Outstanding::default(),
+            lines_asked: 0,
             counts: CacheCounts::default(),
         }
     }
@@ -79,6 +83,12 @@ impl L1 {
         1 << (address & self.bank_mask)
     }
 
+    /// Whether the bank of `address` is taken in slot `slot`.
+    #[inline(always)]
+    pub fn is_taken(&self, slot: usize, address: u32) -> bool {
+        self.enabled && self.busy[slot] & self.bank(address) != 0
+    }
+
     /// A load of `address` in cycle `now`, which is `slot` of the quantum.
     #[inline(always)]
     pub fn load(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
@@ -95,17 +105,17 @@ impl L1 {
     /// [`L1::load`] after all earlier requests to the chip have been served.
     #[inline(always)]
     pub fn load_now(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
-        let bank = self.bank(address);
-        if self.enabled && self.busy[slot] & bank != 0 {
+        if self.is_taken(slot, address) {
             self.counts.bank_conflicts += 1;
             return Access::Refused;
         }
+        let bank = self.bank(address);
         let line = address >> self.line_shift;
         if self.lines.holds(now, line) {
             self.counts.loads += 1;
             self.counts.hits += 1;
             self.busy[slot] |= bank;
-            return Access::Served(now + self.latency);
+            return Access::Served(now + self.latency_cycles);
         }
         match self.outstanding.arrival(line) {
             Some(arrival) if arrival > now => {
@@ -116,7 +126,7 @@ impl L1 {
                     self.wait(line, target);
                     return Access::Served(UNKNOWN);
                 }
-                Access::Served(arrival + self.latency)
+                Access::Served(arrival + self.latency_cycles)
             }
             // It has been replaced since.
             _ => Access::Ask,
@@ -144,7 +154,7 @@ impl L1 {
     /// [`L1::store`] after all earlier requests to the chip have been served.
     #[inline]
     pub fn store_now(&mut self, slot: usize, address: u32) -> Access {
-        if self.enabled && self.busy[slot] & self.bank(address) != 0 {
+        if self.is_taken(slot, address) {
             self.counts.bank_conflicts += 1;
             return Access::Refused;
         }
@@ -154,6 +164,7 @@ impl L1 {
     /// The chip has taken a load, whose line arrives in cycle `arrival`.
     pub fn taken(&mut self, now: u32, slot: usize, address: u32, arrival: u32, target: Target<'_>) {
         let line = address >> self.line_shift;
+        self.lines_asked += 1;
         self.counts.loads += 1;
         self.busy[slot] |= self.bank(address);
         self.outstanding.insert(now, line, arrival);

@@ -4,6 +4,7 @@
 //! independently of the others, and what they ask of the chip is served in the order of time. Quanta in which nothing
 //! can happen are skipped.
 
+mod blocked;
 mod chip;
 mod dram;
 mod l1;
@@ -11,6 +12,7 @@ mod l2;
 mod lines;
 mod outstanding;
 mod plan;
+mod slots;
 mod stats;
 mod tags;
 mod thread;

@@ -99,6 +99,25 @@ fn loads_take_the_latency_of_where_the_line_is() {
     // Two ways hold both.
     let counts = run_at(&["tm.threads=1", "l1.associativity=2"], 1, &both, |_| 64);
     assert_eq!((counts.l1.hits, counts.l2.loads), (1, 2));
+    // Without a first-level cache its latency is saved, not only its hits.
+    assert_eq!(cycles(&["l1.enabled=false"], &again), memory + 2 + l2);
+}
+
+#[test]
+fn reads_that_find_their_channel_full_wait_and_are_all_served() {
+    // Every thread reads a line of its own, all in one row of one channel: whatever the queue holds, the data bus decides.
+    let settings = |queue: &'static str| ["tm.threads=32", "l1.banks=64", "l2.banks=64", queue];
+    let body = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3";
+    let run = |queue| run_at(&settings(queue), 32, body, |item| 17 * item);
+    let (free, full) = (run("dram.read_queue=80"), run("dram.read_queue=2"));
+    assert_eq!((free.dram.refused, free.dram.reads), (0, 32));
+    assert_eq!(full.dram.reads, 32);
+    assert!(full.dram.refused >= 30, "{}", full.dram.refused);
+    // Two reads in the queue keep the bus as busy as all of them, but for the cycles until room is seen.
+    assert!(full.cycles >= free.cycles && full.cycles <= free.cycles + 32, "{} {}", full.cycles, free.cycles);
+    assert!(full.thread_cycles.memory > free.thread_cycles.memory);
+    let threads = 32 * u64::from(full.cycles);
+    assert_eq!(full.thread_cycles.total(), threads);
 }
 
 #[test]

@@ -1,14 +1,14 @@
-//! A thread: where it is in its program, and the loop that issues its simple operations.
+//! A thread: where it is in its program, and the loop that issues its operations.
 
+use super::l1::{Access, L1, Target};
 use super::outstanding::UNKNOWN;
+use super::slots::Slots;
 use super::stats::ThreadCycles;
 use super::tm::QUANTUM;
-use crate::machine::program::{Kind, MicroOp, POOLS, Program, Register, SCOREBOARD};
+use crate::machine::program::{Issue, MicroOp, Program, Register};
 
-/// Entries of a scoreboard in memory; a power of two, so that no index needs a check.
-pub const ENTRIES: usize = SCOREBOARD.next_power_of_two();
-/// Pools in memory.
-pub const POOL_ENTRIES: usize = POOLS.next_power_of_two();
+/// Entries of a scoreboard in memory: as many as an index can have, so that none needs a check.
+pub const ENTRIES: usize = 1 << Register::BITS;
 
 /// Where a thread is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +35,8 @@ pub struct Thread {
     pub last_issue: u32,
     /// Index of its next operation.
     pub pc: u32,
+    /// Index behind its run's last operation.
+    pub end: u32,
     /// Whether that has been fetched.
     pub held: bool,
     pub state: State,
@@ -44,82 +46,167 @@ pub struct Thread {
     pub at: usize,
     /// Index behind the current run's addresses.
     pub next: usize,
-    /// First entry of its instruction cache in a slot of [`Tm::fetches`].
-    pub fetch_base: u16,
+    /// Its instruction cache.
+    pub icache: u8,
     /// Words of a load that are under way already, where it reaches into a second line.
     pub part: u8,
 }
 
 /// What the threads of a multiprocessor take from, cycle by cycle of a quantum.
 pub struct Tables<'a> {
-    /// Fetches left; slots are `1 << fetch_shift` apart.
-    pub fetches: &'a mut [u8],
-    pub fetch_shift: u32,
-    /// Units left, by slot and pool.
-    pub units: &'a mut [[u8; POOL_ENTRIES]; QUANTUM],
+    /// Fetches by bank of the thread's instruction cache.
+    pub fetches: &'a mut Slots,
+    /// Units by pool.
+    pub units: &'a mut Slots,
+    pub l1: &'a mut L1,
     /// The quantum.
     pub start: u32,
     pub end: u32,
 }
 
+/// Why a thread does not go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// The quantum is over, and the next operation has not been fetched.
+    Unfetched,
+    /// The quantum is over, or an operand has no known time.
+    Waits,
+    /// The multiprocessor has to issue the operation; it has been fetched, and its first operands are ready.
+    Other,
+    /// The operation is a load for the chip.
+    Asks,
+    /// The run is over.
+    Over,
+}
+
+/// The first cycle behind `now` in which there is one of a resource, which it takes; or `end`.
+#[inline(never)]
+fn wait_for(slots: &mut Slots, resource: u8, [start, now, end]: [u32; 3]) -> u32 {
+    let next = start + slots.next(resource, now - start, end - start);
+    if next < end {
+        slots.take(resource, next - start);
+    }
+    next
+}
+
 impl Thread {
-    /// Issues simple operations, up to one that is not. Returns whether there is one that has been fetched, whose
-    /// operands are ready and whose unit is free before the end of the quantum.
+    /// Issues operations of thread `number` before the end of the quantum, up to one that is neither plain nor a load that
+    /// the L1 serves, or to the end of its tape, which is [`Stop::Over`].
     #[inline(always)]
-    pub fn simple_ops(&mut self, ops: &[MicroOp], tables: Tables<'_>, cycles: &mut ThreadCycles) -> bool {
-        let Tables { fetches, fetch_shift, units, start, end } = tables;
-        let (mut now, mut held, mut pc) = (self.time, self.held, self.pc as usize);
-        let (mut issued, mut nops) = (0u32, 0u32);
-        let fetch_base = usize::from(self.fetch_base);
-        let found = loop {
-            if now >= end {
-                break false;
+    pub fn issue(
+        &mut self,
+        number: u8,
+        program: &Program,
+        tables: &mut Tables<'_>,
+        cycles: &mut ThreadCycles,
+    ) -> Stop {
+        if self.held {
+            // It brings its fetch along.
+            let bank = program.ops[self.pc as usize].bank;
+            tables.fetches.give(bank, self.time - tables.start);
+        }
+        loop {
+            let first = self.pc as usize;
+            let stop = self.issue_run(number, &program.ops[first..self.end as usize], tables, cycles);
+            let nops = program.nops_before[self.pc as usize] - program.nops_before[first];
+            cycles.issue += u64::from(self.pc - first as u32 - nops);
+            cycles.nop += u64::from(nops);
+            self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
+            if stop != Stop::Over || !self.advance(program) {
+                return stop;
             }
-            let op = &ops[pc];
-            let slot = (now - start) as usize % QUANTUM;
-            if !held {
-                let left = &mut fetches[(slot << fetch_shift) + fetch_base + usize::from(op.bank)];
-                if *left == 0 {
-                    cycles.fetch += 1;
-                    now += 1;
-                    continue;
+            if self.time == tables.end {
+                return Stop::Unfetched;
+            }
+        }
+    }
+
+    /// Issues `ops`, which begin with the next operation.
+    #[inline(always)]
+    fn issue_run(
+        &mut self,
+        number: u8,
+        ops: &[MicroOp],
+        tables: &mut Tables<'_>,
+        cycles: &mut ThreadCycles,
+    ) -> Stop {
+        let (start, end) = (tables.start, tables.end);
+        let (mut now, mut last_issue) = (self.time, self.last_issue);
+        let mut rest = ops.iter();
+        let stop = loop {
+            let Some(op) = rest.as_slice().first() else { break Stop::Over };
+            if now == end {
+                break Stop::Unfetched;
+            }
+            if !tables.fetches.take(op.bank, now - start) {
+                let next = wait_for(tables.fetches, op.bank, [start, now, end]);
+                cycles.fetch += u64::from(next - now);
+                now = next;
+                if now == end {
+                    break Stop::Unfetched;
                 }
-                *left -= 1;
-                held = true;
             }
-            let [a, b, c] = op.reads.map(|register| self.ready[usize::from(register) % ENTRIES]);
-            let at = a.max(b).max(c);
-            if at > now {
-                if at == UNKNOWN {
+            let [a, b, c] = op.reads.map(|register| self.ready[usize::from(register)]);
+            let ready = a.max(b).max(c);
+            if ready > now {
+                if ready == UNKNOWN {
                     self.state = State::Parked;
-                    break false;
+                    break Stop::Waits;
                 }
-                cycles.data += u64::from(at - now);
-                now = at;
-                continue;
+                cycles.data += u64::from(ready - now);
+                now = ready;
+                if now >= end {
+                    break Stop::Waits;
+                }
             }
-            let left = &mut units[slot][usize::from(op.pool) % POOL_ENTRIES];
-            if *left == 0 {
-                cycles.units += 1;
-                now += 1;
-                continue;
-            }
-            if !op.simple {
-                break true;
-            }
-            *left -= 1;
-            issued += 1;
-            nops += u32::from(op.kind == Kind::Nop);
-            self.ready[usize::from(op.write) % ENTRIES] = now + u32::from(op.latency);
-            self.last_issue = now;
+            let ready = if op.issue == Issue::Plain {
+                if !tables.units.take(op.pool, now - start) {
+                    let next = wait_for(tables.units, op.pool, [start, now, end]);
+                    cycles.units += u64::from(next - now);
+                    now = next;
+                    if now == end {
+                        break Stop::Waits;
+                    }
+                }
+                now + u32::from(op.latency)
+            } else if op.issue == Issue::Load {
+                let first = now;
+                let access = self.load(number, op, tables.l1, &mut now, [start, end]);
+                cycles.memory += u64::from(now - first);
+                match access {
+                    Access::Served(ready) => ready,
+                    Access::Ask => break Stop::Asks,
+                    Access::Refused => break Stop::Waits,
+                }
+            } else {
+                break Stop::Other;
+            };
+            self.ready[usize::from(op.write)] = ready;
+            last_issue = now;
             now += 1;
-            held = false;
-            pc += 1;
+            rest.next();
         };
-        (self.time, self.held, self.pc) = (now, held, pc as u32);
-        cycles.issue += u64::from(issued - nops);
-        cycles.nop += u64::from(nops);
-        found
+        (self.time, self.last_issue) = (now, last_issue);
+        self.pc += (ops.len() - rest.len()) as u32;
+        stop
+    }
+
+    /// Loads a word from the L1, in the first cycle from `now` on in which it does not refuse; at the end of the quantum it
+    /// still does.
+    #[inline(never)]
+    fn load(&self, number: u8, op: &MicroOp, l1: &mut L1, now: &mut u32, [start, end]: [u32; 2]) -> Access {
+        let address = self.tape[self.at + 1 + usize::from(op.base)] + u32::from(op.offset);
+        let target = Target { thread: number, registers: std::slice::from_ref(&op.write) };
+        loop {
+            let access = l1.load(*now, (*now - start) as usize % QUANTUM, address, target);
+            if access != Access::Refused {
+                return access;
+            }
+            *now += 1;
+            if *now == end {
+                return access;
+            }
+        }
     }
 
     /// The thread waits for an operand until cycle `at`; whether that is known.
@@ -139,6 +226,7 @@ impl Thread {
         let run = &program.runs[self.tape[self.at] as usize];
         self.next = self.at + 1 + run.bases.len();
         self.pc = run.first;
+        self.end = run.first + run.length;
     }
 
     /// Goes to the next run; false, and an end, if there is none.
@@ -187,7 +275,7 @@ impl Thread {
     ) -> bool {
         let registers = self.targets(program, op, address, line_words);
         for &register in registers {
-            self.ready[usize::from(register) % ENTRIES] = ready;
+            self.ready[usize::from(register)] = ready;
         }
         self.part += registers.len() as u8;
         if usize::from(self.part) < program.operands_of(op).writes.len() {
@@ -199,15 +287,15 @@ impl Thread {
 
     #[cold]
     pub fn write_all(&mut self, program: &Program, op: &MicroOp, ready: u32) {
-        self.ready[usize::from(op.write) % ENTRIES] = ready;
+        self.ready[usize::from(op.write)] = ready;
         for &register in &program.operands_of(op).writes {
-            self.ready[usize::from(register) % ENTRIES] = ready;
+            self.ready[usize::from(register)] = ready;
         }
     }
 
     /// When the further registers can be used that an operation waits for.
     pub fn more_ready(&self, program: &Program, op: &MicroOp) -> u32 {
         let reads = &program.operands_of(op).reads;
-        reads.iter().map(|register| self.ready[usize::from(*register) % ENTRIES]).max().unwrap_or(0)
+        reads.iter().map(|register| self.ready[usize::from(*register)]).max().unwrap_or(0)
     }
 }

@@ -11,10 +11,11 @@
 
 use super::l1::{Access, L1, Target};
 use super::outstanding::Waiter;
+use super::slots::{self, Slots};
 use super::stats::ThreadCycles;
-use super::thread::{ENTRIES, POOL_ENTRIES, State, Tables, Thread};
+use super::thread::{ENTRIES, State, Stop, Tables, Thread};
 use crate::machine::description::MachineDescription;
-use crate::machine::program::{COUNTER, Kind, MicroOp, PIPELINE, Program, UNLIMITED};
+use crate::machine::program::{COUNTER, Kind, MicroOp, PIPELINE, POOLS, Program, UNLIMITED};
 use crate::unit_costs::Unit;
 
 /// Most cycles of a quantum.
@@ -32,6 +33,14 @@ pub struct Request {
     pub kind: Kind,
     /// Word address.
     pub address: u32,
+    /// Lines that the L1 had asked for when it did not have this one.
+    pub missed: u32,
+}
+
+impl Request {
+    fn new(cycle: u32, tm: u16, thread: usize, kind: Kind, address: u32) -> Self {
+        Self { cycle, tm, thread: thread as u8, kind, address, missed: u32::MAX }
+    }
 }
 
 /// A multiprocessor.
@@ -41,15 +50,16 @@ pub struct Tm {
     /// The threads.
     pub threads: Vec<Thread>,
     halted: u32,
-    /// Binary logarithm of the entries of `fetches` for a slot.
-    fetch_shift: u32,
     line_words: u32,
-    /// Fetches left, by slot, cache and bank.
-    fetches: Vec<u8>,
-    fetches_full: Vec<u8>,
-    /// Units left, by slot and pool.
-    units: [[u8; POOL_ENTRIES]; QUANTUM],
-    units_full: [u8; POOL_ENTRIES],
+    /// Fetches left by bank, for each instruction cache.
+    fetches: Vec<Slots>,
+    /// Those of a cache at the start of a quantum.
+    all_fetches: Slots,
+    icache_banks: usize,
+    /// Units left by pool.
+    units: Slots,
+    /// Units at the start of a quantum.
+    all_units: Slots,
     /// The data cache.
     pub l1: L1,
     /// What the chip has to serve.
@@ -64,44 +74,45 @@ pub struct Tm {
 
 impl Tm {
     pub fn new(number: u16, machine: &MachineDescription) -> Self {
-        let mut units_full = [0u8; POOL_ENTRIES];
+        let mut units = [0; POOLS];
         for unit in Unit::ALL {
-            units_full[unit as usize] = machine.units.pool(unit).count as u8;
+            units[unit as usize] = machine.units.pool(unit).count as u8;
         }
-        units_full[usize::from(UNLIMITED)] = u8::MAX;
-        units_full[usize::from(PIPELINE)] = 1;
-        units_full[usize::from(COUNTER)] = 1;
+        units[usize::from(UNLIMITED)] = slots::ENOUGH;
+        units[usize::from(PIPELINE)] = 1;
+        units[usize::from(COUNTER)] = 1;
+        let all_units = Slots::new(&units);
         let icache = &machine.icache;
-        let fetch_shift = (icache.caches * icache.banks).next_power_of_two().trailing_zeros();
-        let entries = QUANTUM << fetch_shift;
-        let fetches_full = vec![icache.fetches_per_bank as u8; entries];
+        let icache_banks = icache.banks as usize;
+        let all_fetches = Slots::new(&vec![icache.fetches_per_bank as u8; icache_banks]);
         let thread = Thread {
             ready: [0; ENTRIES],
             time: 0,
             last_issue: 0,
             pc: 0,
+            end: 0,
             held: false,
             state: State::Runs,
             tape: vec![],
             at: 0,
             next: 0,
-            fetch_base: 0,
+            icache: 0,
             part: 0,
         };
         let mut threads = vec![thread; machine.tm.threads as usize];
         for (number, thread) in threads.iter_mut().enumerate() {
-            thread.fetch_base = (number as u32 % icache.caches * icache.banks) as u16;
+            thread.icache = (number as u32 % icache.caches) as u8;
         }
         Self {
             number,
             threads,
             halted: 0,
-            fetch_shift,
             line_words: machine.l1.line_words(),
-            fetches: fetches_full.clone(),
-            fetches_full,
-            units: [units_full; QUANTUM],
-            units_full,
+            fetches: vec![all_fetches.clone(); icache.caches as usize],
+            all_fetches,
+            icache_banks,
+            units: all_units.clone(),
+            all_units,
             l1: L1::new(machine),
             outbox: vec![],
             ended: vec![],
@@ -126,7 +137,7 @@ impl Tm {
         let (threads, cycles) = (&mut self.threads, &mut self.cycles);
         self.l1.arrives(line, arrival, |Waiter { thread, register }| {
             let thread = &mut threads[usize::from(thread)];
-            thread.ready[usize::from(register) % ENTRIES] = arrival;
+            thread.ready[usize::from(register)] = arrival;
             if thread.state == State::Parked {
                 // It looks again whether it can go on.
                 thread.state = State::Runs;
@@ -139,8 +150,8 @@ impl Tm {
 
     /// Runs all threads from cycle `start` up to `end`, at most [`QUANTUM`] cycles later.
     pub fn quantum(&mut self, program: &Program, start: u32, end: u32) {
-        self.fetches.copy_from_slice(&self.fetches_full);
-        self.units = [self.units_full; QUANTUM];
+        self.fetches.iter_mut().for_each(|cache| cache.reset(&self.all_fetches, self.icache_banks));
+        self.units.reset(&self.all_units, POOLS);
         self.l1.begin(start);
         let waiting = self.threads.iter().filter(|thread| thread.state != State::Halted);
         let earliest = waiting.map(|thread| thread.last_issue).min().unwrap_or(0);
@@ -163,48 +174,57 @@ impl Tm {
     /// Runs a thread until the end of the quantum, or until it has to wait for the chip.
     #[inline]
     pub fn run(&mut self, program: &Program, number: usize, start: u32, end: u32) {
-        let thread = &self.threads[number];
-        if thread.state != State::Runs || thread.time >= end {
-            return;
-        }
         loop {
-            let tables = Tables {
-                fetches: &mut self.fetches,
-                fetch_shift: self.fetch_shift,
-                units: &mut self.units,
-                start,
-                end,
-            };
-            if !self.threads[number].simple_ops(&program.ops, tables, &mut self.cycles)
-                || !self.other_op(program, number, start)
-            {
-                break;
+            let thread = &mut self.threads[number];
+            if thread.state != State::Runs || thread.time >= end {
+                return;
+            }
+            let fetches = &mut self.fetches[usize::from(thread.icache)];
+            let mut tables = Tables { fetches, units: &mut self.units, l1: &mut self.l1, start, end };
+            match thread.issue(number as u8, program, &mut tables, &mut self.cycles) {
+                Stop::Unfetched | Stop::Waits => return,
+                Stop::Other => {
+                    if !self.other_op(program, number, start, end) {
+                        return;
+                    }
+                }
+                Stop::Asks => {
+                    let op = &program.ops[thread.pc as usize];
+                    let request = Request::new(thread.time, self.number, number, op.kind, thread.address(op));
+                    thread.state = State::Asks;
+                    self.outbox.push(request);
+                    return;
+                }
+                Stop::Over => {
+                    self.ended.push(number as u8);
+                    return;
+                }
             }
         }
     }
 
-    /// Issues the operation that a thread has fetched, whose operands are ready and whose unit is free; it is not a simple
-    /// one. Returns whether the thread goes on.
+    /// Issues the operation that a thread has stopped at. Returns whether the thread goes on.
     #[inline(never)]
-    fn other_op(&mut self, program: &Program, number: usize, start: u32) -> bool {
+    fn other_op(&mut self, program: &Program, number: usize, start: u32, end: u32) -> bool {
         let (thread, cycles) = (&mut self.threads[number], &mut self.cycles);
         let now = thread.time;
         let slot = (now - start) as usize % QUANTUM;
         let op = &program.ops[thread.pc as usize];
-        let left = &mut self.units[slot][usize::from(op.pool) % POOL_ENTRIES];
+        let at = thread.more_ready(program, op);
+        if at > now {
+            return thread.waits(at, cycles);
+        }
+        if !self.units.take(op.pool, slot as u32) {
+            let next = start + self.units.next(op.pool, slot as u32, end - start);
+            cycles.units += u64::from(next - now);
+            thread.time = next;
+            return true;
+        }
         let ready = match op.kind {
-            Kind::Plain | Kind::Nop => {
-                let at = thread.more_ready(program, op);
-                if at > now {
-                    return thread.waits(at, cycles);
-                }
-                now + u32::from(op.latency)
-            }
+            Kind::Plain | Kind::Nop => now + u32::from(op.latency),
             Kind::Counter => {
-                *left -= 1;
                 thread.state = State::Asks;
-                let (tm, thread) = (self.number, number as u8);
-                self.outbox.push(Request { cycle: now, tm, thread, kind: op.kind, address: 0 });
+                self.outbox.push(Request::new(now, self.number, number, op.kind, 0));
                 return false;
             }
             Kind::Load | Kind::Store => {
@@ -233,21 +253,15 @@ impl Tm {
                     }
                     Access::Ask => {
                         thread.state = State::Asks;
-                        let (tm, thread) = (self.number, number as u8);
-                        self.outbox.push(Request { cycle: now, tm, thread, kind: op.kind, address });
+                        self.outbox.push(Request::new(now, self.number, number, op.kind, address));
                         return false;
                     }
                 }
             }
         };
-        *left -= 1;
-        if op.kind == Kind::Nop {
-            cycles.nop += 1;
-        } else {
-            cycles.issue += 1;
-        }
+        cycles.issue += 1;
         if op.operands == 0 {
-            thread.ready[usize::from(op.write) % ENTRIES] = ready;
+            thread.ready[usize::from(op.write)] = ready;
         } else if op.kind != Kind::Load {
             thread.write_all(program, op, ready);
         }
@@ -255,7 +269,7 @@ impl Tm {
         thread.time += 1;
         thread.held = false;
         thread.pc += 1;
-        if op.last && !thread.advance(program) {
+        if thread.pc == thread.end && !thread.advance(program) {
             self.ended.push(number as u8);
             return false;
         }
@@ -275,13 +289,13 @@ impl Tm {
                 return;
             }
         } else {
-            thread.ready[usize::from(op.write) % ENTRIES] = ready;
+            thread.ready[usize::from(op.write)] = ready;
         }
         self.cycles.issue += 1;
         thread.last_issue = request.cycle;
         thread.held = false;
         thread.pc += 1;
-        if op.last && !thread.advance(program) {
+        if thread.pc == thread.end && !thread.advance(program) {
             self.ended.push(request.thread);
         }
     }

@@ -11,7 +11,8 @@ mod run;
 pub use isa::{Place, REGISTERS, Register};
 pub use listing::{Listing, ListingError};
 pub use run::{
-    COUNTER, Kind, MicroOp, Operands, PIPELINE, POOLS, Run, RunId, SCOREBOARD, SINK, UNLIMITED, pool_of,
+    COUNTER, Issue, Kind, MicroOp, Operands, PIPELINE, POOLS, Run, RunId, SCOREBOARD, SINK, UNLIMITED,
+    pool_of,
 };
 
 use super::description::MachineDescription;
@@ -31,6 +32,8 @@ pub struct Program {
     pub name: String,
     /// Operations of all runs.
     pub ops: Vec<MicroOp>,
+    /// Nops before each operation, and before the end.
+    pub nops_before: Vec<u32>,
     /// All runs.
     pub runs: Vec<Run>,
     /// Names of addresses.
@@ -85,6 +88,7 @@ impl Program {
         let mut program = Self {
             name: name.to_owned(),
             ops: vec![],
+            nops_before: vec![0],
             runs: vec![],
             bases: vec![],
             conditions: vec![],
@@ -234,9 +238,9 @@ impl Program {
             self.ops.push(op);
         }
         let length = self.ops.len() as u32 - first;
-        self.ops.last_mut().expect("a run is not empty").last = true;
-        for op in &mut self.ops[first as usize..] {
-            op.simple = matches!(op.kind, Kind::Plain | Kind::Nop) && op.operands == 0 && !op.last;
+        for op in &self.ops[first as usize..] {
+            let before = self.nops_before.last().expect("it begins with one");
+            self.nops_before.push(before + u32::from(op.kind == Kind::Nop));
         }
         self.runs.push(Run { first, length, bases, next });
         self.runs.len() as RunId - 1
@@ -260,17 +264,22 @@ impl Program {
             self.operands.push(further);
             self.operands.len() - 1
         });
+        let kind = match decoded.place {
+            Place::Nop => Kind::Nop,
+            Place::Load => Kind::Load,
+            Place::Store => Kind::Store,
+            Place::Counter => Kind::Counter,
+            _ => Kind::Plain,
+        };
         MicroOp {
-            simple: false,
-            pool: pool_of(decoded.place),
-            kind: match decoded.place {
-                Place::Nop => Kind::Nop,
-                Place::Load => Kind::Load,
-                Place::Store => Kind::Store,
-                Place::Counter => Kind::Counter,
-                _ => Kind::Plain,
+            issue: match kind {
+                _ if operands != 0 => Issue::Other,
+                Kind::Plain | Kind::Nop => Issue::Plain,
+                Kind::Load => Issue::Load,
+                Kind::Store | Kind::Counter => Issue::Other,
             },
-            last: false,
+            pool: pool_of(decoded.place),
+            kind,
             local_store: decoded.place == Place::LocalStore,
             bank: (at as u32 & (machine.icache.banks - 1)) as u8,
             reads,

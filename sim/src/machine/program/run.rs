@@ -19,18 +19,28 @@ pub enum Kind {
     Counter,
 }
 
+/// Who issues an operation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Issue {
+    /// The thread: waiting for its operands and its unit and writing its result is all there is to do.
+    Plain,
+    /// The thread, with the L1: a load of one word.
+    Load,
+    /// The multiprocessor.
+    Other,
+}
+
 /// An operation as the core executes it.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct MicroOp {
-    /// Whether waiting for its operands and its unit and writing its result is all there is to do.
-    pub simple: bool,
+    /// Who issues it.
+    pub issue: Issue,
     /// Index of the unit pool, see [`pool_of`].
     pub pool: u8,
     /// What else there is to do.
     pub kind: Kind,
-    /// Whether a run ends here.
-    pub last: bool,
     /// Whether it reaches the thread's local store.
     pub local_store: bool,
     /// Bank of the instruction cache.

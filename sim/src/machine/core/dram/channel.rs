@@ -88,6 +88,11 @@ impl Channel {
         }
     }
 
+    /// Reads that the queue can still take.
+    pub fn room(&self) -> usize {
+        self.read_limit - self.reads.len()
+    }
+
     pub fn read(&mut self, clock: u64, line: u32, bank: u32, row: u32, requester: Requester) -> Offer {
         if let Some(request) = self.reads.iter_mut().find(|request| request.line == line) {
             request.requesters.push(requester);

@@ -99,6 +99,16 @@ impl Dram {
         (channel as usize, bank, rest & (d.rows - 1))
     }
 
+    /// The channel of a line.
+    pub fn channel(&self, line: u32) -> usize {
+        self.place(line).0
+    }
+
+    /// Reads that `channel` can still take.
+    pub fn room(&self, channel: usize) -> usize {
+        self.channels[channel].room()
+    }
+
     /// Asks for `line` in cycle `now`.
     pub fn read(&mut self, now: u32, line: u32, requester: Requester) -> Read {
         if let Some(on_its_way) = self.arrivals.iter().find(|arrival| arrival.line == line) {

@@ -1,0 +1,66 @@
+//! Reads that found the queue of their memory channel full.
+//!
+//! Nothing can happen to such a read before its channel has issued another one: its line is in no cache and not under way.
+//! So it does not try again in every cycle, which a chip of many threads would spend most of its simulation on, but when
+//! there is room.
+
+use super::dram::Dram;
+use super::tm::Request;
+
+/// Reads that wait for room, by channel, in the order in which they came.
+#[derive(Clone, Debug)]
+pub struct Blocked {
+    channels: Vec<Vec<Read>>,
+    number: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Read {
+    line: u32,
+    request: Request,
+}
+
+impl Blocked {
+    pub fn new(channels: u32) -> Self {
+        Self { channels: vec![vec![]; channels as usize], number: 0 }
+    }
+
+    /// Whether nobody waits.
+    pub fn is_empty(&self) -> bool {
+        self.number == 0
+    }
+
+    /// `request` waits for room to read `line` through `channel`.
+    pub fn add(&mut self, channel: usize, line: u32, request: Request) {
+        self.channels[channel].push(Read { line, request });
+        self.number += 1;
+    }
+
+    /// Whether there is room for somebody.
+    pub fn could_go_on(&self, dram: &Dram) -> bool {
+        let mut waits = self.channels.iter().enumerate().filter(|(_, reads)| !reads.is_empty());
+        self.number > 0 && waits.any(|(channel, _)| dram.room(channel) > 0)
+    }
+
+    /// Passes as many reads as there is room for to `wake`, those of the least `place` first, and with each those of the
+    /// same line, which need no room.
+    pub fn wake(&mut self, dram: &Dram, place: impl Fn(&Request) -> u32, mut wake: impl FnMut(Request)) {
+        for (channel, reads) in self.channels.iter_mut().enumerate() {
+            if reads.is_empty() {
+                continue;
+            }
+            for _ in 0..dram.room(channel) {
+                let Some(first) = reads.iter().min_by_key(|read| place(&read.request)) else { break };
+                let line = first.line;
+                let before = reads.len();
+                reads.retain(|read| {
+                    if read.line == line {
+                        wake(read.request);
+                    }
+                    read.line != line
+                });
+                self.number -= before - reads.len();
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! What is left of shared resources in each cycle of a quantum.
+
+use super::tm::QUANTUM;
+
+/// How many of each resource there are still to take, by resource and slot of the quantum.
+#[derive(Clone, Debug)]
+pub struct Slots {
+    /// For every index that a byte can be, so that none needs a check; most are never used.
+    left: [u8; RESOURCES * QUANTUM],
+}
+
+const RESOURCES: usize = 1 << u8::BITS;
+/// As many as a multiprocessor cannot exhaust in a cycle.
+pub const ENOUGH: u8 = u8::MAX;
+
+impl Slots {
+    /// `counts` of the first resources in every slot; nothing of the others.
+    pub fn new(counts: &[u8]) -> Self {
+        let mut slots = Self { left: [0; RESOURCES * QUANTUM] };
+        for (left, &count) in slots.left.chunks_mut(QUANTUM).zip(counts) {
+            left.fill(count);
+        }
+        slots
+    }
+
+    /// Sets the first `resources` to what they are in `all`.
+    #[inline]
+    pub fn reset(&mut self, all: &Self, resources: usize) {
+        self.left[..resources * QUANTUM].copy_from_slice(&all.left[..resources * QUANTUM]);
+    }
+
+    /// Takes one of `resource` in `slot`; false if there is none.
+    #[inline(always)]
+    pub fn take(&mut self, resource: u8, slot: u32) -> bool {
+        let left = &mut self.left[usize::from(resource) * QUANTUM + slot as usize % QUANTUM];
+        if *left == 0 {
+            return false;
+        }
+        *left -= 1;
+        true
+    }
+
+    /// Adds one of `resource` in `slot`.
+    pub fn give(&mut self, resource: u8, slot: u32) {
+        let left = &mut self.left[usize::from(resource) * QUANTUM + slot as usize % QUANTUM];
+        *left = left.saturating_add(1);
+    }
+
+    /// The first slot behind `slot` in which there is one of `resource`; `end` if there is none before.
+    #[inline]
+    pub fn next(&self, resource: u8, slot: u32, end: u32) -> u32 {
+        let left = &self.left[usize::from(resource) * QUANTUM..][..QUANTUM];
+        (slot + 1..end).find(|slot| left[*slot as usize % QUANTUM] != 0).unwrap_or(end)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn as_many_are_taken_from_a_slot_as_there_are() {
+        let all = Slots::new(&[0, 2, 1]);
+        let mut slots = all.clone();
+        let taken = [3, 3, 3, 4, 7, 7, 7].map(|slot| slots.take(1, slot));
+        assert_eq!(taken, [true, true, false, true, true, true, false]);
+        assert_eq!([slots.next(1, 2, 8), slots.next(1, 6, 8), slots.next(1, 2, 4)], [4, 8, 4]);
+        assert_eq!([slots.next(0, 0, 5), slots.next(2, 0, 8), slots.next(3, 0, 8)], [5, 1, 8]);
+        slots.give(1, 7);
+        assert_eq!([slots.take(1, 7), slots.take(1, 7)], [true, false]);
+        slots.reset(&all, 2);
+        assert!(slots.take(1, 3));
+    }
+}
