@@ -117,7 +117,7 @@ fn paper() -> Vec<Stage> {
         ..Stage::new(
             &format!("study-{}", entry.name),
             hour,
-            &format!("study --preset paper --scene {} --out OUT", entry.name),
+            &format!("study --preset paper --quality medium --scene {} --out OUT", entry.name),
         )
     }));
     stages.push(Stage::new(
