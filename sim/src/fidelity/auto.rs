@@ -27,7 +27,7 @@ pub fn auto(
     subject: &Subject<'_>,
     tolerance: f64,
     seed: u64,
-    mut pixels_done: impl FnMut(u32),
+    mut pixels_done: impl FnMut(u32) + Send,
 ) -> Result<Vec<Step>, FidelityError> {
     let mut steps = vec![];
     let estimate = subject.estimate(Level::Analytic, &Sample::of(FIRST_PAIRS, seed), &mut pixels_done)?;

@@ -134,7 +134,7 @@ impl<'a> Subject<'a> {
         &self,
         level: Level,
         sample: &Sample,
-        pixels_done: impl FnMut(u32),
+        pixels_done: impl FnMut(u32) + Send,
     ) -> Result<Estimate, FidelityError> {
         match level {
             Level::Analytic => self.analytic(sample),
@@ -227,7 +227,7 @@ impl<'a> Subject<'a> {
         &self,
         level: Level,
         sample: &Sample,
-        pixels_done: impl FnMut(u32),
+        pixels_done: impl FnMut(u32) + Send,
     ) -> Result<Estimate, FidelityError> {
         let start = Instant::now();
         let work = self.work(level == Level::Rtl)?;

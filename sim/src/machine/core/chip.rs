@@ -12,6 +12,7 @@ use super::work::{Tape, Work};
 use crate::machine::description::MachineDescription;
 use crate::machine::program::{Conditions, EntryId, Program, START};
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Why a simulation stops.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -55,6 +56,15 @@ struct Seat {
 /// Multiprocessors from which on a quantum is shared out among the host's threads; fewer take less time than sharing.
 const PARALLEL_TMS: usize = 8;
 
+/// Says so when it is over, also when by a panic.
+struct Over<'a>(&'a AtomicBool);
+
+impl Drop for Over<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Relaxed);
+    }
+}
+
 struct Chip<'a, W> {
     machine: &'a MachineDescription,
     program: &'a Program,
@@ -91,7 +101,7 @@ pub fn simulate<W: Work>(
     machine: &MachineDescription,
     program: &Program,
     work: &W,
-    items_done: impl FnMut(u32),
+    items_done: impl FnMut(u32) + Send,
 ) -> Result<Counts, SimulationError> {
     Ok(simulate_plan(machine, program, work, &Plan::default(), items_done)?.0)
 }
@@ -106,7 +116,7 @@ pub fn simulate_plan<W: Work>(
     program: &Program,
     work: &W,
     plan: &Plan,
-    mut items_done: impl FnMut(u32),
+    mut items_done: impl FnMut(u32) + Send,
 ) -> Result<(Counts, Vec<Noted>), SimulationError> {
     let tms = machine.chip.tms();
     let mut chip = Chip {
@@ -138,17 +148,20 @@ pub fn simulate_plan<W: Work>(
     for seat in &mut chip.seats {
         (0..machine.tm.threads as usize).for_each(|thread| seat.start(program, thread, start));
     }
-    let mut reported = 0;
-    while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
-        chip.quantum();
-        if chip.now > MAX_CYCLES {
-            return Err(SimulationError::TooLong);
+    chip.with_help(|chip| {
+        let mut reported = 0;
+        while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
+            chip.quantum();
+            if chip.now > MAX_CYCLES {
+                return Err(SimulationError::TooLong);
+            }
+            if chip.next_item - reported >= 256 {
+                items_done(chip.next_item - reported);
+                reported = chip.next_item;
+            }
         }
-        if chip.next_item - reported >= 256 {
-            items_done(chip.next_item - reported);
-            reported = chip.next_item;
-        }
-    }
+        Ok(())
+    })?;
     let counts = chip.counts();
     Ok((counts, chip.noted))
 }
@@ -192,10 +205,36 @@ impl Seat {
 }
 
 impl<W: Work> Chip<'_, W> {
+    /// Does `all` while the host's other threads stand by: a quantum is over before a sleeping one is awake.
+    fn with_help<R: Send>(&mut self, all: impl FnOnce(&mut Self) -> R + Send) -> R {
+        // Who is a thread of the pool already has others of its kind beside it, with work of their own.
+        if self.seats.len() < PARALLEL_TMS || rayon::current_thread_index().is_some() {
+            return all(self);
+        }
+        let over = &AtomicBool::new(false);
+        rayon::scope(|scope| {
+            let own = rayon::current_thread_index();
+            for _ in 1..rayon::current_num_threads() {
+                // On the thread that the work itself runs on, it would never be over.
+                scope.spawn(move |_| {
+                    while !over.load(Relaxed) && rayon::current_thread_index() != own {
+                        if rayon::yield_now() != Some(rayon::Yield::Executed) {
+                            std::hint::spin_loop();
+                        }
+                    }
+                });
+            }
+            let _over = Over(over);
+            all(self)
+        })
+    }
+
     /// Does `step` for every multiprocessor; they do not depend on each other.
     fn each(&mut self, step: impl Fn(&mut Seat) + Sync + Send) {
-        if self.seats.len() >= PARALLEL_TMS && rayon::current_num_threads() > 1 {
-            self.seats.par_iter_mut().with_min_len(PARALLEL_TMS / 2).for_each(step);
+        let threads = rayon::current_num_threads();
+        if self.seats.len() >= PARALLEL_TMS && threads > 1 {
+            let share = self.seats.len().div_ceil(4 * threads).max(PARALLEL_TMS / 2);
+            self.seats.par_iter_mut().with_min_len(share).for_each(step);
         } else {
             self.seats.iter_mut().for_each(step);
         }
@@ -221,11 +260,11 @@ impl<W: Work> Chip<'_, W> {
         while wakes || self.seats.iter().any(|seat| !seat.tm.outbox.is_empty()) {
             self.serve(start, wakes);
             wakes = false;
-            for seat in &mut self.seats {
+            self.each(|seat| {
                 seat.change_tapes(program, work, no_more, [start, end]);
                 seat.tm.catch_up(program, start, end);
                 seat.change_tapes(program, work, no_more, [start, end]);
-            }
+            });
         }
         self.now = self.next_start(end);
     }

@@ -175,7 +175,7 @@ pub fn frame(
     scene: &Scene,
     structure: &Structure,
     options: &RenderOptions,
-    pixels_done: impl FnMut(u32),
+    pixels_done: impl FnMut(u32) + Send,
 ) -> Result<Frame, FrameError> {
     assert_eq!(structure.kind(), machine.structure.kind(), "the structure that the machine is set up for");
     traced_frame(machine, scene, structure, Traced::Wide(structure), options, pixels_done)
@@ -195,7 +195,7 @@ pub fn narrow_frame(
     structure: &Structure,
     narrow: &NarrowDst,
     options: &RenderOptions,
-    pixels_done: impl FnMut(u32),
+    pixels_done: impl FnMut(u32) + Send,
 ) -> Result<Frame, FrameError> {
     assert_eq!(
         machine.structure,
@@ -211,7 +211,7 @@ fn traced_frame(
     structure: &Structure,
     traced: Traced<'_>,
     options: &RenderOptions,
-    pixels_done: impl FnMut(u32),
+    pixels_done: impl FnMut(u32) + Send,
 ) -> Result<Frame, FrameError> {
     let work = FrameWork::traced(machine, scene, structure, traced, options, false)?;
     let counts = simulate(&machine.description, &work.program, &work, pixels_done)?;
