@@ -49,7 +49,8 @@ pub struct Tm {
     number: u16,
     /// The threads.
     pub threads: Vec<Thread>,
-    halted: u32,
+    /// The threads that have not finished, in order.
+    active: Vec<u8>,
     line_words: u32,
     /// Fetches left by bank, for each instruction cache.
     fetches: Vec<Slots>,
@@ -106,7 +107,7 @@ impl Tm {
         Self {
             number,
             threads,
-            halted: 0,
+            active: (0..machine.tm.threads as u8).collect(),
             line_words: machine.l1.line_words(),
             fetches: vec![all_fetches.clone(); icache.caches as usize],
             all_fetches,
@@ -123,12 +124,13 @@ impl Tm {
 
     /// Whether all threads have finished.
     pub fn is_halted(&self) -> bool {
-        self.halted as usize == self.threads.len()
+        self.active.is_empty()
     }
 
     /// The first cycle in which some thread goes on by itself.
     pub fn next_time(&self) -> u32 {
-        let running = self.threads.iter().filter(|thread| thread.state == State::Runs);
+        let active = self.active.iter().map(|thread| &self.threads[usize::from(*thread)]);
+        let running = active.filter(|thread| thread.state == State::Runs);
         running.map(|thread| thread.time).min().unwrap_or(u32::MAX)
     }
 
@@ -150,15 +152,18 @@ impl Tm {
 
     /// Runs all threads from cycle `start` up to `end`, at most [`QUANTUM`] cycles later.
     pub fn quantum(&mut self, program: &Program, start: u32, end: u32) {
+        if self.is_halted() {
+            return;
+        }
         self.fetches.iter_mut().for_each(|cache| cache.reset(&self.all_fetches, self.icache_banks));
         self.units.reset(&self.all_units, POOLS);
         self.l1.begin(start);
-        let waiting = self.threads.iter().filter(|thread| thread.state != State::Halted);
-        let earliest = waiting.map(|thread| thread.last_issue).min().unwrap_or(0);
-        let is_first = |thread: &Thread| thread.state != State::Halted && thread.last_issue == earliest;
-        let first = self.threads.iter().position(is_first).unwrap_or(0);
-        for thread in (first..self.threads.len()).chain(0..first) {
-            self.run(program, thread, start, end);
+        let last_issue = |thread: &u8| self.threads[usize::from(*thread)].last_issue;
+        // Of several, the first.
+        let first = self.active.iter().enumerate().min_by_key(|(_, thread)| last_issue(thread));
+        let first = first.map_or(0, |(at, _)| at);
+        for at in (first..self.active.len()).chain(0..first) {
+            self.run(program, self.active[at].into(), start, end);
         }
     }
 
@@ -340,7 +345,7 @@ impl Tm {
     /// The thread has finished.
     pub fn halt(&mut self, number: usize) {
         self.threads[number].state = State::Halted;
-        self.halted += 1;
+        self.active.retain(|thread| usize::from(*thread) != number);
     }
 
     /// The cycle in which the last thread to finish issued its last instruction.
