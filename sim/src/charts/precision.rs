@@ -195,18 +195,21 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// See [`SweepError`].
     pub fn point(&self, precision: Precision) -> Result<PrecisionPoint, SweepError> {
-        self.point_of(&NarrowStructure::new(&self.structure, precision), precision)
+        let point = self.point_within(precision, u64::MAX)?;
+        Ok(point.expect("there is no limit"))
     }
 
-    /// Traces and renders through `structure`, which is of `precision`.
+    /// The same, or `None` if the rays visit more than `most_visits` nodes, in not much more time than these take: with too few
+    /// bits nothing is culled, and every ray of a conservative traversal visits the whole tree.
     ///
     /// # Errors
     /// See [`SweepError`].
-    pub fn point_of(
+    pub fn point_within(
         &self,
-        structure: &impl Trace,
         precision: Precision,
-    ) -> Result<PrecisionPoint, SweepError> {
+        most_visits: u64,
+    ) -> Result<Option<PrecisionPoint>, SweepError> {
+        let structure = &NarrowStructure::new(&self.structure, precision);
         let mode = precision.variant.mode();
         let traced = |(ray, expected): &(Ray, Answer)| {
             let (found, counters) = trace(structure, ray, matches!(expected, Answer::Occluded(_)), mode);
@@ -222,17 +225,30 @@ impl<'a> Sweep<'a> {
             (counters, wrong)
         };
         // Sums and maxima of integers: the order does not matter.
-        let (counters, wrong) = self.rays.par_iter().map(traced).reduce(Default::default, |mut a, b| {
+        let add = |mut a: (Counters, [u64; 4]), b: (Counters, [u64; 4])| {
             a.0.merge(&b.0);
             (a.0, std::array::from_fn(|i| a.1[i] + b.1[i]))
-        });
+        };
+        let mut sums = Default::default();
+        let mut traced_rays = 0;
+        while traced_rays < self.rays.len() {
+            // As many as so far: the limit is passed by no more than its own amount, or by one ray.
+            let next = self.rays.len().min((2 * traced_rays).max(1));
+            let some = &self.rays[traced_rays..next];
+            sums = add(sums, some.par_iter().map(traced).reduce(Default::default, add));
+            if sums.0.node_visits > most_visits {
+                return Ok(None);
+            }
+            traced_rays = next;
+        }
+        let (counters, wrong) = sums;
         let rendering = render(structure, self.scene, &RenderOptions { mode, ..self.options }, |_| {})?;
         let difference =
             Difference::new(crate::picture::Format::Exr, &colours(&self.reference), &colours(&rendering))
                 .expect("both have the size of the options");
         let per_ray = |x: u64| x as f64 / self.rays().max(1) as f64;
         let [false_misses, false_hits, wrong_nearest, other_distance] = wrong;
-        Ok(PrecisionPoint {
+        Ok(Some(PrecisionPoint {
             format: precision.format.to_string(),
             variant: precision.variant.name(),
             exponent_bits: precision.format.exponent_bits(),
@@ -252,7 +268,7 @@ impl<'a> Sweep<'a> {
             energy_pj_per_ray: None,
             frame_ms: None,
             pareto: false,
-        })
+        }))
     }
 }
 
@@ -284,5 +300,29 @@ pub fn mark_front(points: &mut [PrecisionPoint]) {
         .collect();
     for (point, marked) in points.iter_mut().zip(pareto::front(&costs)) {
         point.pareto = marked;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use golden::build::{BuildOptions, Quality, build};
+    use golden::render::Test;
+    use golden::structure::pack_triangles;
+
+    #[test]
+    fn a_format_is_given_up_at_the_first_visit_too_many() {
+        let scene = Scene::load("statue", 0.0005, 0).unwrap();
+        let tree = build(&scene.mesh, &BuildOptions::new(Quality::Fast)).unwrap();
+        let triangles = pack_triangles(&scene.mesh, &tree);
+        let options = RenderOptions::new(Test::Raycast, 8, 8);
+        let sweep = Sweep::new(&scene, &tree, &triangles, StructureKind::Dst, options).unwrap();
+        let precision = Precision::new(Format::new(8, 6).unwrap(), Variant::Conservative);
+        let point = sweep.point(precision).unwrap();
+        assert!(point.node_visits > sweep.reference_counters.node_visits);
+        assert_eq!(sweep.point_within(precision, point.node_visits).unwrap(), Some(point.clone()));
+        assert_eq!(sweep.point_within(precision, point.node_visits - 1).unwrap(), None);
+        // The limit is found without all rays, too.
+        assert_eq!(sweep.point_within(precision, 1).unwrap(), None);
     }
 }

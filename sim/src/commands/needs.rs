@@ -14,7 +14,7 @@ use golden::structure::{Structure, StructureKind};
 use golden::traverse::Trace;
 use hdl::catalogue::StandardFormat;
 use serde::Serialize;
-use sim::charts::precision::{PrecisionPoint, Sweep};
+use sim::charts::precision::{PrecisionPoint, Sweep, SweepError};
 use sim::machine::description::MachineDescription;
 use sim::needs::carves::CarveLevels;
 use sim::needs::knee;
@@ -31,6 +31,9 @@ const LEAST_CACHE_BYTES: u64 = 1 << 10;
 const MOST_TMS: u32 = 1 << 12;
 /// Significands that are tried.
 const SIGNIFICAND_BITS: RangeInclusive<u32> = 4..=24;
+/// A format that visits more than so many times the nodes of binary32 is not traced to the end, and none below it is tried:
+/// the knee lies far behind, and with too few bits every ray visits the whole tree.
+const MOST_VISITS: f64 = 16.0;
 /// Exponents that are tried.
 const EXPONENT_BITS: RangeInclusive<u32> = 3..=8;
 
@@ -43,6 +46,10 @@ struct Document {
     max_image_error: f64,
     max_false_miss: u64,
     max_extra_visits: f64,
+    /// The sweeps end before the first format that visits more than this many times the nodes of binary32.
+    most_visits: f64,
+    /// Those formats.
+    beyond_most_visits: Vec<String>,
     variant: &'static str,
     significand_bits: u32,
     exponent_bits: u32,
@@ -119,15 +126,28 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
     let precision = |e: u32, s: u32| Ok(Precision::new(Format::new(e, s)?, args.variant));
     let count = SIGNIFICAND_BITS.count() + EXPONENT_BITS.count();
     let bar = progress(count as u64, "formats");
-    let point = |precision: Precision| {
-        bar.set_message(precision.to_string());
-        bar.inc(1);
-        sweep.point(precision)
+    let reference = sweep.reference_counters.node_visits as f64;
+    let most_visits = MOST_VISITS.max(2.0 * (1.0 + args.max_extra_visits));
+    let mut beyond_most_visits = vec![];
+    // Up to the first that visits too many.
+    let mut points = |precisions: Vec<Precision>| {
+        let mut points = vec![];
+        for precision in precisions {
+            bar.set_message(precision.to_string());
+            bar.inc(1);
+            match sweep.point_within(precision, (most_visits * reference) as u64)? {
+                Some(point) => points.push(point),
+                None => {
+                    beyond_most_visits.push(precision.format.to_string());
+                    break;
+                }
+            }
+        }
+        Ok::<_, SweepError>(points)
     };
     let significands: Vec<Precision> =
         SIGNIFICAND_BITS.rev().map(|s| precision(8, s)).collect::<anyhow::Result<_>>()?;
-    let significand_sweep: Vec<_> = significands.into_iter().map(point).collect::<Result<_, _>>()?;
-    let reference = sweep.reference_counters.node_visits as f64;
+    let significand_sweep = points(significands)?;
     let fits = |p: &PrecisionPoint| {
         p.rmse <= args.max_image_error
             && p.false_misses <= args.max_false_miss
@@ -148,7 +168,7 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
         .filter(|e| Format::new(*e, significand_bits).is_ok())
         .map(|e| precision(e, significand_bits))
         .collect::<anyhow::Result<_>>()?;
-    let exponent_sweep: Vec<_> = exponents.into_iter().map(point).collect::<Result<_, _>>()?;
+    let exponent_sweep = points(exponents)?;
     bar.finish_and_clear();
     let least = exponent_sweep.iter().take_while(|p| fits(p)).last().unwrap_or(significand);
     let format = Format::new(least.exponent_bits, significand_bits)?;
@@ -176,6 +196,8 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
         max_image_error: args.max_image_error,
         max_false_miss: args.max_false_miss,
         max_extra_visits: args.max_extra_visits,
+        most_visits,
+        beyond_most_visits,
         variant: args.variant.name(),
         significand_bits,
         exponent_bits: format.exponent_bits(),
@@ -353,6 +375,13 @@ fn text(d: &Document) -> String {
             ),
         ],
     );
+    if !d.beyond_most_visits.is_empty() {
+        text += &format!(
+            "\nNot in the charts, as they visit more than {} times the nodes of binary32: {}, and narrower ones.\n",
+            fixed(d.most_visits, 0),
+            d.beyond_most_visits.join(", ")
+        );
+    }
     text += &format!("\n{}\n", d.artifacts.join(", "));
     text
 }
