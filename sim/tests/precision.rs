@@ -51,6 +51,21 @@ fn chart_precision() {
     // Equal on any number of threads, and anew over its own files.
     let again = work.json("chart precision scene.obj --size 24x24 --out charts --threads 1");
     assert_eq!(document, again);
+    // Those that visit too much are named instead.
+    let few =
+        work.json("chart precision scene.obj --size 24x24 --most-visits 1.01 --simulate false --out few");
+    let most = 1.01 * document["reference_node_visits"].as_f64().unwrap();
+    let (kept, beyond): (Vec<_>, Vec<_>) =
+        points.iter().partition(|point| point["node_visits"].as_f64().unwrap() <= most);
+    let names = |points: &[&serde_json::Value]| -> Vec<String> {
+        let name =
+            |point: &&serde_json::Value| format!("{}-{}", point["format"], point["variant"]).replace('"', "");
+        points.iter().map(name).collect()
+    };
+    assert_eq!(few["left_out"], serde_json::json!(names(&beyond)));
+    assert_eq!(names(&few["points"].as_array().unwrap().iter().collect::<Vec<_>>()), names(&kept));
+    assert!(!beyond.is_empty() && document["left_out"] == serde_json::json!([]));
+    work.refused("chart precision scene.obj --most-visits 0.5", &["--most-visits", "at least 1"]);
     work.refused("chart precision teapot", &["teapot", "hairball"]);
     work.refused("chart", &["precision"]);
 }

@@ -1,7 +1,7 @@
 //! The machine, and what is charted, stressed and studied.
 
 use super::shared::{DetailArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
-use super::values::{fraction, machine_structure, not_negative, one_of, size, structure, test};
+use super::values::{factor, fraction, machine_structure, not_negative, one_of, size, structure, test};
 use clap::{Args, Subcommand};
 use golden::Mode;
 use golden::precision::Variant;
@@ -41,6 +41,9 @@ pub struct PrecisionArgs {
     /// Width and height of the image in pixels.
     #[arg(long, default_value = "64x64", value_name = "WxH", value_parser = size)]
     pub size: [u32; 2],
+    /// Leave out formats that visit more than this many times the nodes of binary32: with too few bits all rays visit everything.
+    #[arg(long, default_value_t = 64.0, value_name = "FACTOR", value_parser = factor)]
+    pub most_visits: f64,
     /// Simulate the frame of the dual-split tree in each format on the machine.
     #[arg(long, default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
     pub simulate: bool,

@@ -106,6 +106,14 @@ pub fn not_negative(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A factor of 1 or more.
+pub fn factor(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x >= 1.0 && x.is_finite() => Ok(x),
+        _ => Err("write a number of at least 1, such as 64".to_owned()),
+    }
+}
+
 /// A fraction above 0 and at most 1, as such or in percent.
 pub fn fraction(text: &str) -> Result<f64, String> {
     let (number, scale) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));

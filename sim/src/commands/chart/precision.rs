@@ -27,6 +27,10 @@ struct Document {
     /// Of binary32 in robust mode.
     reference_node_visits: u64,
     points: Vec<PrecisionPoint>,
+    /// Formats that visit more than this many times as many nodes are left out.
+    most_visits: f64,
+    /// Those formats with their variant.
+    left_out: Vec<String>,
     /// Where area and energy come from.
     cost_source: Option<String>,
     artifacts: Vec<String>,
@@ -42,7 +46,8 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
     let sweep = Sweep::new(&scene, &built.tree, &built.triangles, args.structure, options)?;
     let formats = formats();
     let bar = progress(formats.len() as u64, "formats");
-    let (mut points, mut cost_source) = (vec![], None);
+    let (mut points, mut left_out, mut cost_source) = (vec![], vec![], None);
+    let most_visits = (args.most_visits * sweep.reference_counters.node_visits as f64) as u64;
     // The pipeline is that of dual-split trees, whatever is traversed.
     let (dst, _) = built.convert(StructureKind::Dst)?;
     let rays = sweep.closest_rays(Variant::Naive.mode());
@@ -61,7 +66,10 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
         };
         for variant in Variant::ALL {
             let precision = Precision::new(format, variant);
-            let point = sweep.point(precision)?;
+            let Some(point) = sweep.point_within(precision, most_visits)? else {
+                left_out.push(precision.to_string());
+                continue;
+            };
             let frame_ms = match &machine {
                 Some(machine) => sweep.frame_ms(machine, precision)?,
                 None => None,
@@ -93,6 +101,8 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
         rays: sweep.rays(),
         reference_node_visits: sweep.reference_counters.node_visits,
         points,
+        most_visits: args.most_visits,
+        left_out,
         cost_source,
         artifacts: artifacts.finish()?.iter().map(|path| display(path)).collect(),
     };
@@ -246,6 +256,13 @@ fn text(document: &Document) -> String {
         }),
     );
     text += "\nFront: no other has at most as many bits, visits, false misses and RMSE, and less of one.\n";
+    if !d.left_out.is_empty() {
+        text += &format!(
+            "Left out, as they visit more than {} times the nodes of binary32: {}.\n",
+            d.most_visits,
+            d.left_out.join(", ")
+        );
+    }
     if let Some(source) = &d.cost_source {
         text += &format!("Area, and energy of a ray's node steps, of the dual-split pipeline: {source}.\n");
     }

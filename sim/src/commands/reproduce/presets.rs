@@ -106,9 +106,8 @@ fn quick() -> Vec<Stage> {
 }
 
 fn paper() -> Vec<Stage> {
-    let hour = 3600.0;
     let mut stages = vec![
-        Stage::new("check", 600.0, "check --vectors 100000000"),
+        Stage::new("check", 60.0, "check --vectors 10000000"),
         Stage::new("estimate", 300.0, "estimate --detail 0.1"),
     ];
     // One part for each scene; all of them write the same folder, where each finds what the others have done.
@@ -116,23 +115,21 @@ fn paper() -> Vec<Stage> {
         folder: "study".to_owned(),
         ..Stage::new(
             &format!("study-{}", entry.name),
-            hour,
+            3600.0,
             &format!("study --preset paper --quality medium --scene {} --out OUT", entry.name),
         )
     }));
-    stages.push(Stage::new(
-        "precision",
-        hour,
-        "chart precision courtyard --detail 1 --size 256x256 --out OUT",
-    ));
+    stages.push(Stage::new("precision", 600.0, "chart precision atrium --detail 1 --size 64x64 --out OUT"));
     stages.push(Stage::new(
         "fidelity",
-        2.0 * hour,
-        "chart fidelity atrium --detail 1 --size 512x512 --repeats 10 --set chip.l2_partitions=4 --set \
-         chip.tms_per_partition=8 --out OUT",
+        500.0,
+        "chart fidelity atrium --detail 1 --size 128x128 --repeats 10 --set chip.l2_partitions=2 --set \
+         chip.tms_per_partition=4 --out OUT",
     ));
-    stages.push(Stage::new("stress", hour, "stress --rays 20000 --aimed 10000000 --searches 256 --out OUT"));
-    stages.extend(needs(0.5 * hour, |scene| format!("needs {scene} --detail 1 --size 128x128 --out OUT")));
+    stages.push(Stage::new("stress", 300.0, "stress --rays 200 --aimed 20000 --searches 8 --out OUT"));
+    stages.extend(needs(60.0, |scene| {
+        format!("needs {scene} --detail 1 --size 64x64 --quality medium --out OUT")
+    }));
     stages
 }
 

@@ -51,16 +51,21 @@ fn precision(results: &Results<'_>, outcome: &Outcome) -> anyhow::Result<Section
         ["format", "variant", "visits/ray", "false misses", "RMSE", "frame ms", "area um2", "pJ/ray"];
     let table = Table::new(header, named.map(|point| keys.map(|key| cell(&point[key]))));
     items.push(Item::Table(table.from("../precision/precision.csv", &outcome.command)));
-    Ok(Section {
-        title: "Precision of the hardware".into(),
-        text: vec![format!(
-            "Traversal in every format of the floating-point units, everything rounded to nearest (naive) or to bounds \
-             (conservative); triangles are tested in binary32 throughout. Sample: {} rays of {}.",
-            cell(&outcome.report["rays"]),
-            cell(&outcome.report["scene"])
-        )],
-        items,
-    })
+    let mut text = vec![format!(
+        "Traversal in every format of the floating-point units, everything rounded to nearest (naive) or to bounds \
+         (conservative); triangles are tested in binary32 throughout. Sample: {} rays of {}.",
+        cell(&outcome.report["rays"]),
+        cell(&outcome.report["scene"])
+    )];
+    let left_out: Vec<String> = rows(&outcome.report["left_out"]).iter().map(cell).collect();
+    if !left_out.is_empty() {
+        let most = cell(&outcome.report["most_visits"]);
+        text.push(format!(
+            "Left out, as they visit more than {most} times the nodes of binary32: {}.",
+            left_out.join(", ")
+        ));
+    }
+    Ok(Section { title: "Precision of the hardware".into(), text, items })
 }
 
 fn fidelity(results: &Results<'_>, outcome: &Outcome) -> anyhow::Result<Section> {
