@@ -33,7 +33,7 @@ pub const PRESETS: [Preset; 3] = [
         scene_seconds: 0.5,
         stages: smoke,
     },
-    // Three minutes on two cores are plenty for it.
+    // It has five minutes on two cores.
     Preset {
         name: "quick",
         triangles: 60_000.0,
@@ -44,15 +44,15 @@ pub const PRESETS: [Preset; 3] = [
         scene_seconds: 6.0,
         stages: quick,
     },
-    // Everything at full size: many hours.
+    // Everything at full size: the study takes most of its hours.
     Preset {
         name: "paper",
         triangles: f64::INFINITY,
         quality: Quality::High,
         measured_side: 512,
         picture_side: 512,
-        picture_samples: 64,
-        scene_seconds: 600.0,
+        picture_samples: 16,
+        scene_seconds: 150.0,
         stages: paper,
     },
 ];
@@ -93,13 +93,13 @@ fn quick() -> Vec<Stage> {
         Stage::new("check", 6.0, "check --vectors 20000"),
         Stage::new("estimate", 25.0, "estimate --detail 0.002"),
         Stage::new("study", 60.0, "study --preset small --out OUT"),
-        Stage::new("precision", 12.0, "chart precision courtyard --detail 0.005 --size 16x16 --out OUT"),
+        Stage::new("precision", 20.0, "chart precision courtyard --detail 0.005 --size 16x16 --out OUT"),
         Stage::new(
             "fidelity",
             30.0,
             &format!("chart fidelity courtyard --detail 0.01 --size 64x64 --repeats 2 {SMALL} --out OUT"),
         ),
-        Stage::new("stress", 15.0, "stress --rays 8 --aimed 1500 --searches 1 --out OUT"),
+        Stage::new("stress", 25.0, "stress --rays 4 --aimed 800 --searches 1 --out OUT"),
     ];
     stages.extend(needs(2.0, |scene| format!("needs {scene} --detail 0.01 --size 24x24 --out OUT")));
     stages
@@ -108,7 +108,7 @@ fn quick() -> Vec<Stage> {
 fn paper() -> Vec<Stage> {
     let mut stages = vec![
         Stage::new("check", 60.0, "check --vectors 10000000"),
-        Stage::new("estimate", 300.0, "estimate --detail 0.1"),
+        Stage::new("estimate", 60.0, "estimate --detail 0.1"),
     ];
     // One part for each scene; all of them write the same folder, where each finds what the others have done.
     stages.extend(CATALOGUE.iter().map(|entry| Stage {
