@@ -2,7 +2,6 @@
 
 mod support;
 
-use hdl::catalogue::Top;
 use support::{Workplace, has_keys};
 
 const COUNTERS: [&str; 4] = ["node_visits", "plane_tests", "box_tests", "triangle_tests"];
@@ -376,105 +375,4 @@ fn a_closed_pipe_is_no_panic() {
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-}
-
-#[test]
-fn check() {
-    let work = Workplace::new();
-    let document = work.json("check --unit fp_add --vectors 500 --seed 7");
-    let units = document["units"].as_array().unwrap();
-    assert_eq!(units.len(), 1);
-    has_keys(&units[0], &["name", "vectors", "mismatches", "vectors_per_second", "classes"]);
-    assert_eq!(units[0]["name"], "fp_add");
-    assert_eq!(units[0]["mismatches"], 0);
-    assert!(units[0]["vectors"].as_u64().unwrap() > 300);
-    let text = String::from_utf8(work.run("check --unit fp_cmp --vectors 100").stdout).unwrap();
-    assert!(text.contains("| fp_cmp") && text.contains("NaN operand"), "{text}");
-    work.refused("check --unit fp_div", &["fp_div", "fp_add"]);
-
-    // A fault in the netlist is a difference: exit code 1, and the first mismatch with its seed.
-    let line = "check --unit fp_cmp --vectors 2000 --seed 3 --mutate 0";
-    let faulty = work.run(&format!("{line} --json"));
-    assert_eq!(faulty.status.code(), Some(1));
-    let faulty: serde_json::Value = serde_json::from_slice(&faulty.stdout).unwrap();
-    assert!(faulty["fault"].as_str().unwrap().starts_with("fp_cmp."), "{faulty}");
-    assert!(faulty["units"][0]["mismatches"].as_u64().unwrap() > 0);
-    assert!(faulty["units"][0]["first_mismatch"].as_str().unwrap().contains("should be"));
-    let text = String::from_utf8(work.run(line).stdout).unwrap();
-    assert!(
-        text.contains("fault put in: fp_cmp.") && text.contains("first mismatch with --seed 3"),
-        "{text}"
-    );
-    work.refused("check --unit fp_cmp --mutate 100000", &["--mutate 100000", "fp_cmp has"]);
-    work.refused("check --mutate 0", &["--unit"]);
-}
-
-#[test]
-fn exhaustive_check() {
-    let work = Workplace::new();
-    let document = work.json("check --exhaustive e5m2 mul");
-    let unit = &document["units"][0];
-    has_keys(unit, &["name", "vectors", "mismatches", "vectors_per_second"]);
-    assert_eq!(unit["vectors"], 5 << 16);
-    assert_eq!(unit["mismatches"], 0);
-    let state = work.path("check-e5m2-mul.json");
-    assert!(!state.exists(), "the state is removed when all is done");
-    // What is left of an interrupted run is done, no more; a mismatch found before is not forgotten.
-    let left = r#"{"format":"e5m2","operation":"mul","blocks":1279,"vectors":7,"mismatches":1,"first":"so"}"#;
-    std::fs::write(&state, left).unwrap();
-    let output = work.run("check --exhaustive e5m2 mul --json");
-    assert_eq!(output.status.code(), Some(1));
-    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(document["units"][0]["vectors"], 7 + 256);
-    assert_eq!(document["units"][0]["first_mismatch"], "so");
-    std::fs::write(&state, left.replace("mul", "add")).unwrap();
-    work.refused("check --exhaustive e5m2 mul", &["check-e5m2-mul.json", "--state"]);
-    work.refused("check --exhaustive binary32 mul", &["2^64", "--vectors"]);
-    work.refused("check --exhaustive e5m2 div", &["`div`", "add, sub"]);
-}
-
-#[test]
-fn export() {
-    let work = Workplace::new();
-    let document = work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
-    let files = document["files"].as_array().unwrap();
-    assert_eq!(files.len(), 7, "{files:?}");
-    let verilog = String::from_utf8(work.read("rtl/fp_mul_binary16.v")).unwrap();
-    assert!(verilog.contains("module fp_mul_binary16"), "{verilog}");
-    assert_eq!(
-        work.read("rtl/fp_mul_binary16_vectors.hex").iter().filter(|&&byte| byte == b'\n').count(),
-        50
-    );
-    let first = work.read("rtl/fp_mul_binary16_vectors.hex");
-    work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
-    assert_eq!(work.read("rtl/fp_mul_binary16_vectors.hex"), first, "the same every time");
-    std::fs::create_dir(work.path("mine")).unwrap();
-    work.write("mine/note", b"mine");
-    work.refused("export --out mine --unit fp_mul", &["mine", "--force"]);
-    work.refused("export --out x --format binary64", &["binary64", "binary32"]);
-}
-
-#[test]
-fn wave() {
-    let work = Workplace::new();
-    for unit in Top::ALL {
-        let out = format!("{unit}.vcd");
-        let document = work.json(&format!("wave --unit {unit} --scene scene.obj --rays 2 --out {out}"));
-        has_keys(&document, &["unit", "rays", "operations", "cycles"]);
-        assert!(document["operations"].as_u64().unwrap() >= 2);
-        assert!(document["cycles"].as_u64() > document["operations"].as_u64());
-        let dump = String::from_utf8(work.read(&out)).unwrap();
-        for words in ["$timescale 1 ns", &format!("$scope module {unit}"), "clk_i", "$enddefinitions"] {
-            assert!(dump.contains(words), "{words}");
-        }
-        let has_node = [Top::DualSplit, Top::DualSplitLean, Top::SharedUnits].contains(unit);
-        assert_eq!(dump.contains("header_i_text"), has_node);
-        assert_eq!(has_node, dump.contains("sleaf "), "{unit}: a ray reaches a leaf");
-        assert_eq!(*unit == Top::SharedUnits, dump.contains("sthreads "));
-    }
-    work.refused(
-        "wave --unit dual_split --scene scene.obj --out dual_split.vcd",
-        &["dual_split.vcd", "--force"],
-    );
-    work.refused("wave --unit fp_div --scene scene.obj --out x.vcd", &["fp_div", "dual_split"]);
 }

@@ -1,6 +1,7 @@
 //! Round trips, and every way in which a file can be damaged.
 
 use super::*;
+use crate::render::Wave;
 
 fn stream() -> RayStream {
     let ray = |i: u32| Ray {
