@@ -57,9 +57,8 @@ pub struct Job<'a> {
     folder: &'a Path,
     global: Global,
     resumed: bool,
-    /// Seconds that the stages done in this run were expected to take, and took.
-    expected: f64,
-    taken: f64,
+    /// For each part done in this run, the seconds that it took over those that it was expected to take.
+    paces: Vec<f64>,
     /// Seconds that those ahead are expected to take.
     ahead: f64,
     left: usize,
@@ -88,7 +87,7 @@ impl<'a> Job<'a> {
         }
         artifacts.write(UNFINISHED, identity.as_bytes())?;
         let global = Global { json: true, force: false, ..*global };
-        Ok(Self { folder, global, resumed, expected: 0.0, taken: 0.0, ahead: seconds, left: parts })
+        Ok(Self { folder, global, resumed, paces: vec![], ahead: seconds, left: parts })
     }
 
     /// The result of part `name`, from an interrupted run or from `make`, which is expected to take so many seconds.
@@ -112,17 +111,19 @@ impl<'a> Job<'a> {
         let start = Instant::now();
         let result = make(artifacts)?;
         artifacts.write(&file, serde_json::to_string_pretty(&result)?.as_bytes())?;
-        self.taken += start.elapsed().as_secs_f64();
-        self.expected += seconds;
+        self.paces.push(start.elapsed().as_secs_f64() / seconds);
         Ok(result)
     }
 
-    /// What is still to be done, by the expected times and how they compared so far.
+    /// What is still to be done, by the expected times and how they compared so far. The median is taken: a part that finds most of
+    /// its runs done takes no time, and says nothing about the others.
     fn time_left(&self, seconds: f64) -> String {
-        let pace = if self.expected > 0.0 { self.taken / self.expected } else { 1.0 };
-        let left = (self.ahead + seconds) * pace;
+        let mut paces = self.paces.clone();
+        paces.sort_by(f64::total_cmp);
+        let pace = paces.get(paces.len() / 2).copied();
+        let left = (self.ahead + seconds) * pace.unwrap_or(1.0);
         let time = if left < 120.0 { format!("{left:.0} s") } else { format!("{:.0} min", left / 60.0) };
-        let basis = if self.expected > 0.0 { "at the pace so far" } else { "as on two cores" };
+        let basis = if pace.is_some() { "at the pace so far" } else { "as on two cores" };
         format!("{} parts and about {time} left, {basis}", self.left + 1)
     }
 
