@@ -1,6 +1,7 @@
 //! Horizontal bars in groups, side by side or stacked.
 
-use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, colour, number, responsive, text_width};
+use super::legend::Legend;
+use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, TOP, WIDTH, colour, number, responsive, text_width};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -21,20 +22,17 @@ pub struct Bars {
     pub max: Option<f64>,
 }
 
-const WIDTH: u32 = 760;
 const BAR: i32 = 16;
 const GAP: i32 = 12;
-const TOP: i32 = 34;
-const LEGEND_LINE: i32 = 20;
 const RIGHT: i32 = 84;
 
 impl Bars {
     /// The drawing.
     #[must_use]
     pub fn svg(&self) -> String {
-        let legend = self.legend();
+        let legend = Legend::new(self.series.iter().map(|(name, _)| name.as_str()));
         let group = if self.stacked { BAR } else { BAR * self.series.len().max(1) as i32 };
-        let top = TOP + LEGEND_LINE * legend.last().map_or(0, |&(_, line, _)| line + 1) + 6;
+        let top = TOP + legend.height() + 6;
         let height = (top + (group + GAP) * self.categories.len() as i32 + 12) as u32;
         let mut svg = String::new();
         {
@@ -44,24 +42,6 @@ impl Bars {
             root.present().expect("a string accepts a drawing");
         }
         responsive(&svg, WIDTH, height)
-    }
-
-    /// Series, line and horizontal position of each entry of the legend.
-    fn legend(&self) -> Vec<(usize, i32, i32)> {
-        let (mut line, mut x) = (0, 8);
-        let mut entries = vec![];
-        if self.series.len() < 2 {
-            return entries;
-        }
-        for (i, (name, _)) in self.series.iter().enumerate() {
-            let width = text_width(name) as i32 + 34;
-            if x + width > WIDTH as i32 && x > 8 {
-                (line, x) = (line + 1, 8);
-            }
-            entries.push((i, line, x));
-            x += width;
-        }
-        entries
     }
 
     fn scale_max(&self) -> f64 {
@@ -80,7 +60,7 @@ impl Bars {
     fn draw<B: DrawingBackend>(
         &self,
         root: &DrawingArea<B, plotters::coord::Shift>,
-        legend: &[(usize, i32, i32)],
+        legend: &Legend,
         top: i32,
         group: i32,
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
@@ -91,10 +71,11 @@ impl Bars {
         let title =
             if self.unit.is_empty() { self.title.clone() } else { format!("{} ({})", self.title, self.unit) };
         root.draw(&Text::new(title, (8, 8), text(TITLE_PX)))?;
-        for &(series, line, x) in legend {
-            let y = TOP + line * LEGEND_LINE;
-            root.draw(&Rectangle::new([(x, y), (x + 12, y + 12)], colour(series).filled()))?;
-            root.draw(&Text::new(self.series[series].0.clone(), (x + 17, y + 6), left_middle.clone()))?;
+        for entry in &legend.entries {
+            let (x, y) = (entry.x, TOP + entry.y);
+            root.draw(&Rectangle::new([(x, y), (x + 12, y + 12)], colour(entry.series).filled()))?;
+            let name = self.series[entry.series].0.clone();
+            root.draw(&Text::new(name, (x + 17, y + 6), left_middle.clone()))?;
         }
         let left = 16 + self.categories.iter().map(|name| text_width(name)).max().unwrap_or(0) as i32;
         let per_unit = f64::from(WIDTH as i32 - RIGHT - left) / self.scale_max();

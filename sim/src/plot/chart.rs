@@ -1,8 +1,10 @@
 //! Points and lines over two axes.
 
-use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, colour, number, responsive};
+use super::legend::Legend;
+use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, TOP, WIDTH, colour, number, responsive};
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// One axis.
 #[derive(Clone, Debug, Default)]
@@ -64,7 +66,7 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
-const WIDTH: u32 = 760;
+/// Without the legend.
 const HEIGHT: u32 = 440;
 const MARKER: i32 = 4;
 
@@ -115,23 +117,26 @@ impl Chart {
         let (x0, x1) = self.x.extent(points().map(|p| p.x));
         let ys = points().flat_map(|p| p.y_range.map_or([p.y; 3], |(low, high)| [low, p.y, high]));
         let (y0, y1) = self.y.extent(ys);
+        let legend = Legend::new(self.series.iter().map(|series| series.name.as_str()));
+        let height = HEIGHT + legend.height() as u32;
         let mut svg = String::new();
         {
-            let root = SVGBackend::with_string(&mut svg, (WIDTH, HEIGHT)).into_drawing_area();
+            let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
             let drawn = match (self.x.log, self.y.log) {
-                (false, false) => self.draw(&root, x0..x1, y0..y1),
-                (true, false) => self.draw(&root, (x0..x1).log_scale(), y0..y1),
-                (false, true) => self.draw(&root, x0..x1, (y0..y1).log_scale()),
-                (true, true) => self.draw(&root, (x0..x1).log_scale(), (y0..y1).log_scale()),
+                (false, false) => self.draw(&root, &legend, x0..x1, y0..y1),
+                (true, false) => self.draw(&root, &legend, (x0..x1).log_scale(), y0..y1),
+                (false, true) => self.draw(&root, &legend, x0..x1, (y0..y1).log_scale()),
+                (true, true) => self.draw(&root, &legend, (x0..x1).log_scale(), (y0..y1).log_scale()),
             };
             drawn.and_then(|()| root.present()).expect("a string accepts a drawing");
         }
-        responsive(&svg, WIDTH, HEIGHT)
+        responsive(&svg, WIDTH, height)
     }
 
     fn draw<B: DrawingBackend, X, Y>(
         &self,
         root: &DrawingArea<B, plotters::coord::Shift>,
+        legend: &Legend,
         x: X,
         y: Y,
     ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>>
@@ -142,9 +147,17 @@ impl Chart {
         Y::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
     {
         root.fill(&WHITE)?;
+        root.draw(&Text::new(self.title.clone(), (8, 8), (FONT, TITLE_PX).into_font().color(&INK)))?;
+        let middle = (FONT, FONT_PX).into_font().color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
+        for entry in &legend.entries {
+            let (x, y) = (entry.x, TOP + entry.y + 6);
+            let outline = marker_outline(entry.series).into_iter().map(|(dx, dy)| (x + 6 + dx, y + dy));
+            root.draw(&Polygon::new(outline.collect::<Vec<_>>(), colour(entry.series).filled()))?;
+            root.draw(&Text::new(self.series[entry.series].name.clone(), (x + 17, y), middle.clone()))?;
+        }
         let mut chart = ChartBuilder::on(root)
-            .caption(&self.title, (FONT, TITLE_PX).into_font().color(&INK))
             .margin(10)
+            .margin_top(TOP + legend.height() + 4)
             .margin_right(24)
             .x_label_area_size(44)
             .y_label_area_size(68)
@@ -180,13 +193,7 @@ impl Chart {
                     chart.draw_series([bar])?;
                 }
             }
-            let name = series.name.clone();
-            chart.draw_series(shown.iter().map(|p| marker((p.x, p.y), index)))?.label(name).legend(
-                move |(x, y)| {
-                    EmptyElement::at((x + 10, y))
-                        + Polygon::new(marker_outline(index), colour(index).filled())
-                },
-            );
+            chart.draw_series(shown.iter().map(|p| marker((p.x, p.y), index)))?;
             let rings = shown.iter().filter(|p| p.marked);
             chart.draw_series(rings.map(|p| Circle::new((p.x, p.y), MARKER + 4, INK.stroke_width(1))))?;
             let labels = shown.iter().filter_map(|p| Some(((p.x, p.y), p.label.clone()?)));
@@ -194,14 +201,6 @@ impl Chart {
             chart.draw_series(
                 labels.map(|(at, label)| EmptyElement::at(at) + Text::new(label, (8, -14), style.clone())),
             )?;
-        }
-        if self.series.len() > 1 {
-            chart
-                .configure_series_labels()
-                .label_font((FONT, FONT_PX).into_font().color(&INK))
-                .background_style(WHITE.mix(0.85))
-                .border_style(GRID)
-                .draw()?;
         }
         Ok(())
     }

@@ -7,6 +7,7 @@
 
 mod bars;
 mod chart;
+mod legend;
 
 pub use bars::Bars;
 pub use chart::{Axis, Chart, Point, Series, Style};
@@ -32,6 +33,9 @@ const GRID: RGBColor = RGBColor(224, 224, 224);
 const FONT: &str = "sans-serif";
 const FONT_PX: u32 = 15;
 const TITLE_PX: u32 = 18;
+const WIDTH: u32 = 760;
+/// Pixels above the legend, for the title.
+const TOP: i32 = 34;
 
 /// Colour of the series at `index`.
 fn colour(index: usize) -> RGBColor {

@@ -32,7 +32,7 @@ pub struct Stage {
 pub const FOLDER: &str = "OUT";
 
 /// What a part has found.
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 pub struct Outcome {
     /// The command that was run, as typed.
     pub command: String,

@@ -16,8 +16,18 @@ pub fn sections(results: &Results<'_>) -> anyhow::Result<Vec<Section>> {
     let Some((_, study)) = results.outcomes.iter().rfind(|(name, _)| name.starts_with("study")) else {
         return Ok(vec![]);
     };
+    let study = &Outcome { command: of_all_scenes(&study.command), ..study.clone() };
     let all = rows(&study.report["rows"]);
     Ok(vec![times(study, all), split(study, all), scaling(results, study)?])
+}
+
+/// The one command that does what one command for each scene did.
+fn of_all_scenes(command: &str) -> String {
+    let mut words: Vec<&str> = command.split(' ').collect();
+    if let Some(at) = words.iter().position(|word| *word == "--scene") {
+        words.drain(at..at + 2);
+    }
+    words.join(" ")
 }
 
 fn scenes(all: &[Value]) -> Vec<&str> {
@@ -141,4 +151,16 @@ fn scaling(results: &Results<'_>, study: &Outcome) -> anyhow::Result<Section> {
         ],
         items: vec![results.figure(study, "study", ("scaling.svg", "study.csv"), "Path tracing.")?],
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_of_one_scene_becomes_that_of_all() {
+        let one = "dualsplit study --preset paper --scene hairball --out study";
+        assert_eq!(of_all_scenes(one), "dualsplit study --preset paper --out study");
+        assert_eq!(of_all_scenes("dualsplit study --out study"), "dualsplit study --out study");
+    }
 }

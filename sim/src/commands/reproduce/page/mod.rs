@@ -22,7 +22,13 @@ pub struct Pictures {
     pub heat_maps: Vec<Picture>,
 }
 
-const COMMAND: &str = "dualsplit reproduce";
+/// The command that makes the page.
+fn command(document: &Document) -> String {
+    match document.preset {
+        "quick" => "dualsplit reproduce".to_owned(),
+        preset => format!("dualsplit reproduce --preset {preset}"),
+    }
+}
 
 /// What the page is made of.
 pub struct Results<'a> {

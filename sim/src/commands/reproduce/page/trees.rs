@@ -1,7 +1,7 @@
 //! Sizes of the trees and the work of traversing them.
 
 use super::super::results::{Document, RenderResult, SceneResult};
-use super::COMMAND;
+use super::command;
 use golden::render::Test;
 use golden::structure::StructureKind;
 use sim::plot::{Bars, number};
@@ -66,9 +66,9 @@ pub fn trees(document: &Document) -> Section {
                 svg: bars.svg(),
                 caption: "Nodes without their triangles.".into(),
                 csv: "../trees.csv".into(),
-                command: COMMAND.into(),
+                command: command(document),
             }),
-            Item::Table(Table::new(header, rows).from("../trees.csv", COMMAND)),
+            Item::Table(Table::new(header, rows).from("../trees.csv", &command(document))),
         ],
     }
 }
@@ -91,7 +91,7 @@ pub fn work(document: &Document) -> Section {
             svg: bars.svg(),
             caption: "Mean of all rays of the test; both tests on one scale.".into(),
             csv: "../work.csv".into(),
-            command: COMMAND.into(),
+            command: command(document),
         })
     };
     let mut items = vec![];
