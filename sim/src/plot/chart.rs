@@ -98,7 +98,7 @@ impl Axis {
         match (low <= high, self.log) {
             (false, true) => (1.0, 10.0),
             (false, false) => (0.0, 1.0),
-            (true, true) => (low / 1.5, high * 1.5),
+            (true, true) => with_power_of_ten(low / 1.5, high * 1.5),
             (true, false) => {
                 // Zero belongs to a scale that comes near it: lengths can then be compared.
                 let low = if low >= 0.0 && low < high / 2.0 { 0.0 } else { low };
@@ -106,6 +106,16 @@ impl Axis {
                 (if low == 0.0 { 0.0 } else { low - margin }, high + margin)
             }
         }
+    }
+}
+
+/// The range with the power of ten next to it, if there is none within: a logarithmic scale has no ticks without one.
+fn with_power_of_ten(low: f64, high: f64) -> (f64, f64) {
+    let [below, above] = [low.log10().floor(), high.log10().ceil()].map(|exponent| 10f64.powf(exponent));
+    match (high >= 10.0 * below || low <= above / 10.0, low / below < above / high) {
+        (true, _) => (low, high),
+        (false, true) => (below, high),
+        (false, false) => (low, above),
     }
 }
 
@@ -248,6 +258,15 @@ mod tests {
             assert!(svg.contains(text), "{text} in {svg}");
         }
         assert_eq!(svg, chart.svg());
+    }
+
+    #[test]
+    fn logarithmic_ranges_have_a_power_of_ten() {
+        assert_eq!(with_power_of_ten(0.2, 0.9), (0.2, 1.0));
+        assert_eq!(with_power_of_ten(2.0, 4.0), (1.0, 4.0));
+        assert_eq!(with_power_of_ten(1.0, 4.0), (1.0, 4.0));
+        assert_eq!(with_power_of_ten(5.0, 12.0), (5.0, 12.0));
+        assert_eq!(with_power_of_ten(0.003, 250.0), (0.003, 250.0));
     }
 
     #[test]
