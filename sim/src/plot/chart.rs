@@ -109,14 +109,10 @@ impl Axis {
     }
 }
 
-/// The range with the power of ten next to it, if there is none within: a logarithmic scale has no ticks without one.
+/// The range from just below a power of ten on, if there is none within: the ticks of a logarithmic scale begin at one.
 fn with_power_of_ten(low: f64, high: f64) -> (f64, f64) {
-    let [below, above] = [low.log10().floor(), high.log10().ceil()].map(|exponent| 10f64.powf(exponent));
-    match (high >= 10.0 * below || low <= above / 10.0, low / below < above / high) {
-        (true, _) => (low, high),
-        (false, true) => (below, high),
-        (false, false) => (low, above),
-    }
+    let below = 10f64.powf(low.log10().floor());
+    if high < 10.0 * below { (below / 1.001, high) } else { (low, high) }
 }
 
 impl Chart {
@@ -262,11 +258,15 @@ mod tests {
 
     #[test]
     fn logarithmic_ranges_have_a_power_of_ten() {
-        assert_eq!(with_power_of_ten(0.2, 0.9), (0.2, 1.0));
-        assert_eq!(with_power_of_ten(2.0, 4.0), (1.0, 4.0));
-        assert_eq!(with_power_of_ten(1.0, 4.0), (1.0, 4.0));
+        assert_eq!(with_power_of_ten(2.0, 9.0), (1.0 / 1.001, 9.0));
         assert_eq!(with_power_of_ten(5.0, 12.0), (5.0, 12.0));
         assert_eq!(with_power_of_ten(0.003, 250.0), (0.003, 250.0));
+        let points = points(&[(0.03, 1.0), (0.05, 2.0)]);
+        let series = vec![Series { points, ..Series::default() }];
+        let chart = Chart { x: Axis::log("host time (s)"), series, ..Chart::default() };
+        for tick in [">\n0.02\n<", ">\n0.06\n<"] {
+            assert!(chart.svg().contains(tick), "{}", chart.svg());
+        }
     }
 
     #[test]
