@@ -190,21 +190,12 @@ impl<'a> Sweep<'a> {
         &self.structure
     }
 
-    /// Traces and renders in `precision`.
+    /// Traces and renders in `precision`. `None` if the rays visit more than `most_visits` nodes, in not much more time than these
+    /// take: with too few bits nothing is culled, and every ray of a conservative traversal visits the whole tree.
     ///
     /// # Errors
     /// See [`SweepError`].
-    pub fn point(&self, precision: Precision) -> Result<PrecisionPoint, SweepError> {
-        let point = self.point_within(precision, u64::MAX)?;
-        Ok(point.expect("there is no limit"))
-    }
-
-    /// The same, or `None` if the rays visit more than `most_visits` nodes, in not much more time than these take: with too few
-    /// bits nothing is culled, and every ray of a conservative traversal visits the whole tree.
-    ///
-    /// # Errors
-    /// See [`SweepError`].
-    pub fn point_within(
+    pub fn point(
         &self,
         precision: Precision,
         most_visits: u64,
@@ -318,11 +309,11 @@ mod tests {
         let options = RenderOptions::new(Test::Raycast, 8, 8);
         let sweep = Sweep::new(&scene, &tree, &triangles, StructureKind::Dst, options).unwrap();
         let precision = Precision::new(Format::new(8, 6).unwrap(), Variant::Conservative);
-        let point = sweep.point(precision).unwrap();
+        let point = sweep.point(precision, u64::MAX).unwrap().unwrap();
         assert!(point.node_visits > sweep.reference_counters.node_visits);
-        assert_eq!(sweep.point_within(precision, point.node_visits).unwrap(), Some(point.clone()));
-        assert_eq!(sweep.point_within(precision, point.node_visits - 1).unwrap(), None);
+        assert_eq!(sweep.point(precision, point.node_visits).unwrap(), Some(point.clone()));
+        assert_eq!(sweep.point(precision, point.node_visits - 1).unwrap(), None);
         // The limit is found without all rays, too.
-        assert_eq!(sweep.point_within(precision, 1).unwrap(), None);
+        assert_eq!(sweep.point(precision, 1).unwrap(), None);
     }
 }

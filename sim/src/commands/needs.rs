@@ -135,7 +135,7 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
         for precision in precisions {
             bar.set_message(precision.to_string());
             bar.inc(1);
-            match sweep.point_within(precision, (most_visits * reference) as u64)? {
+            match sweep.point(precision, (most_visits * reference) as u64)? {
                 Some(point) => points.push(point),
                 None => {
                     beyond_most_visits.push(precision.format.to_string());

@@ -66,7 +66,7 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
         };
         for variant in Variant::ALL {
             let precision = Precision::new(format, variant);
-            let Some(point) = sweep.point_within(precision, most_visits)? else {
+            let Some(point) = sweep.point(precision, most_visits)? else {
                 left_out.push(precision.to_string());
                 continue;
             };
