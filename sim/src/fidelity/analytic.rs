@@ -4,7 +4,7 @@ use super::batches::Batches;
 use crate::machine::core::{Counts, DramCounts, Tape, ThreadCycles, Work, accesses};
 use crate::machine::description::MachineDescription;
 use crate::machine::frame::FrameWork;
-use crate::machine::program::{EntryId, Kind, MicroOp, Program, Run, RunId, START};
+use crate::machine::program::{EntryId, Kind, Place, Program, RunId, START};
 use crate::machine::results::Instructions;
 use crate::unit_costs::Unit;
 use rayon::prelude::*;
@@ -47,10 +47,11 @@ impl Asked {
 pub fn record(work: &FrameWork<'_>, batches: &Batches, indices: &[u32], line_words: u32) -> Vec<Asked> {
     let program = &work.program;
     let item = Ends::of(program).later;
-    let lengths: Vec<u64> = program.runs.iter().map(|run| u64::from(run.length)).collect();
+    let runs = 0..program.code.runs.len() as RunId;
+    let lengths: Vec<u64> = runs.map(|run| program.places_of(run).count() as u64).collect();
     let batch = |&index: &u32| {
         let mut asked = Asked {
-            runs: vec![0; program.runs.len()],
+            runs: vec![0; program.code.runs.len()],
             lines: vec![0; work.layout().words.div_ceil(u64::from(line_words) * 64) as usize],
             ..Asked::default()
         };
@@ -94,11 +95,11 @@ struct Ends {
 impl Ends {
     fn of(program: &Program) -> Self {
         let start = program.run(program.entry(START), 0);
-        let first = program.runs[start as usize].next.expect("a thread takes an item first");
-        let later = program.runs.iter().filter(|run| run.first != program.runs[start as usize].first);
+        let first = program.code.runs[start as usize].next.expect("a thread takes an item first");
+        let runs = 0..program.code.runs.len() as RunId;
         let counts =
-            |run: &&Run| program.ops[(run.first + run.length - 2) as usize..][..2].iter().any(takes_item);
-        let later = later.filter(counts).find_map(|run| run.next);
+            |run: &RunId| *run != start && program.places_of(*run).any(|place| place == Place::Counter);
+        let later = runs.filter(counts).find_map(|run| program.code.runs[run as usize].next);
         Self { start, first, later: later.unwrap_or(first) }
     }
 
@@ -111,10 +112,6 @@ impl Ends {
         runs[later as usize] -= moved;
         runs[first as usize] += moved;
     }
-}
-
-fn takes_item(op: &MicroOp) -> bool {
-    op.kind == Kind::Counter
 }
 
 /// A lower bound with the resource that it is due to.

@@ -314,7 +314,7 @@ impl<'a> Subject<'a> {
         let results = self.results(program, &estimated)?;
 
         let energy = |window: &Window| -> Result<f64, FidelityError> {
-            let counts = Counts { runs: vec![0; program.runs.len()], ..window.counts() };
+            let counts = Counts { runs: vec![0; program.code.runs.len()], ..window.counts() };
             let energy = self.results(program, &counts)?.energy_mj;
             Ok(energy.dram + energy.l2)
         };

@@ -79,6 +79,8 @@ struct Chip<'a, W> {
     length: u32,
     /// What is asked of the chip, by slot of the quantum.
     requests: [Vec<Request>; QUANTUM],
+    /// Room for what is refused.
+    refused: Vec<Request>,
     /// Reads that found their memory channel full.
     blocked: Blocked,
     no_more: Conditions,
@@ -127,7 +129,7 @@ pub fn simulate_plan<W: Work>(
             .map(|tm| Seat {
                 tm: Tm::new(tm, machine),
                 items: vec![0; machine.tm.threads as usize],
-                runs: vec![0; program.runs.len()],
+                runs: vec![0; program.code.runs.len()],
             })
             .collect(),
         l2s: (0..machine.chip.l2_partitions).map(|_| L2::new(&machine.l2)).collect(),
@@ -136,13 +138,14 @@ pub fn simulate_plan<W: Work>(
         now: 0,
         length: Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32),
         requests: Default::default(),
+        refused: vec![],
         blocked: Blocked::new(machine.dram.channels),
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
         plan,
         skips: 0,
         noted: Vec::with_capacity(plan.marks.len()),
-        skipped_runs: vec![0; program.runs.len()],
+        skipped_runs: vec![0; program.code.runs.len()],
     };
     let start = program.entry(START);
     for seat in &mut chip.seats {
@@ -186,7 +189,7 @@ impl Seat {
     /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
     fn change_tape<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, thread: usize) {
         let place = &mut self.tm.threads[thread];
-        let Some(entry) = program.runs[place.tape[place.at] as usize].next else {
+        let Some(entry) = program.code.runs[place.tape[place.at as usize] as usize].next else {
             self.tm.halt(thread);
             return;
         };
@@ -271,11 +274,12 @@ impl<W: Work> Chip<'_, W> {
 
     /// The first cycle from `end` on in which anything can happen, at the start of a quantum.
     fn next_start(&self, end: u32) -> u32 {
-        let next = self.seats.iter().map(|seat| seat.tm.next_time()).min().unwrap_or(end);
+        let goes_on = self.seats.iter().any(|seat| seat.tm.goes_on_by(end));
         // A line whose time is known is announced before it arrives.
-        if next <= end || self.dram.has_news() || self.blocked.could_go_on(&self.dram) {
+        if goes_on || self.dram.has_news() || self.blocked.could_go_on(&self.dram) {
             return end;
         }
+        let next = self.seats.iter().map(|seat| seat.tm.next_time()).min().unwrap_or(end);
         let next = next.min(self.dram.next_command());
         if next == u32::MAX { end } else { next.max(end) }
     }
@@ -299,7 +303,7 @@ impl<W: Work> Chip<'_, W> {
         while self.plan.marks.get(self.noted.len()).is_some_and(|mark| *mark <= self.next_item) {
             let mut noted = Noted { cycles: now, dram: self.dram.counts(now), ..Noted::default() };
             for seat in &self.seats {
-                noted.thread_cycles.merge(&seat.tm.cycles);
+                noted.thread_cycles.merge(&seat.tm.thread_cycles(self.program));
                 noted.l1.merge(&seat.tm.l1.counts);
             }
             self.l2s.iter().for_each(|l2| noted.l2.merge(&l2.counts));
@@ -310,7 +314,7 @@ impl<W: Work> Chip<'_, W> {
     /// Records the items of `range`, which the thread of `request` has come to; the last of them warm the caches.
     fn skip(&mut self, range: std::ops::Range<u32>, request: Request) {
         let thread = &self.seats[usize::from(request.tm)].tm.threads[usize::from(request.thread)];
-        let run = &self.program.runs[thread.tape[thread.at] as usize];
+        let run = &self.program.code.runs[thread.tape[thread.at as usize] as usize];
         let entry = run.next.expect("the program goes on behind the counter");
         let cold = range.end - range.end.min(self.plan.warming).min(range.len() as u32);
         let mut words = vec![];
@@ -338,8 +342,8 @@ impl<W: Work> Chip<'_, W> {
         let cycles = self.seats.iter().map(|seat| seat.tm.last_issue()).max().unwrap_or(0) + 1;
         let mut counts = Counts { cycles, runs: self.skipped_runs.clone(), ..Counts::default() };
         for seat in &mut self.seats {
-            seat.tm.finish(cycles);
-            counts.thread_cycles.merge(&seat.tm.cycles);
+            seat.tm.finish(self.program, cycles);
+            counts.thread_cycles.merge(&seat.tm.thread_cycles(self.program));
             counts.l1.merge(&seat.tm.l1.counts);
             counts.runs.iter_mut().zip(&seat.runs).for_each(|(sum, times)| *sum += times);
         }

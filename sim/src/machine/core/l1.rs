@@ -5,7 +5,7 @@ use super::outstanding::{Outstanding, UNKNOWN, Waiter};
 use super::stats::CacheCounts;
 use super::tm::QUANTUM;
 use crate::machine::description::MachineDescription;
-use crate::machine::program::Register;
+use crate::machine::program::BoardEntry;
 
 /// A multiprocessor's data cache. Times within the current quantum are slots.
 #[derive(Clone, Debug)]
@@ -33,7 +33,7 @@ pub struct Target<'a> {
     /// The thread.
     pub thread: u8,
     /// Its registers.
-    pub registers: &'a [Register],
+    pub entries: &'a [BoardEntry],
 }
 
 /// What becomes of an access.
@@ -89,8 +89,23 @@ impl L1 {
         self.enabled && self.busy[slot] & self.bank(address) != 0
     }
 
-    /// A load of `address` in cycle `now`, which is `slot` of the quantum.
+    /// A load of `address` in cycle `now`, which is `slot` of the quantum, if it is a hit: the cycle from which on the data
+    /// can be used. If not, [`L1::load`] says what becomes of it.
     #[inline(always)]
+    pub fn hit(&mut self, now: u32, slot: usize, address: u32) -> Option<u32> {
+        let bank = self.bank(address);
+        if (self.busy[slot] | self.asked[slot]) & bank != 0
+            || !self.lines.holds_since(now, address >> self.line_shift)
+        {
+            return None;
+        }
+        self.counts.loads += 1;
+        self.counts.hits += 1;
+        self.busy[slot] |= bank;
+        Some(now + self.latency_cycles)
+    }
+
+    /// A load of `address` in cycle `now`, which is `slot` of the quantum.
     pub fn load(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         if self.asked[slot] & self.bank(address) != 0 {
             return Access::Ask;
@@ -103,7 +118,6 @@ impl L1 {
     }
 
     /// [`L1::load`] after all earlier requests to the chip have been served.
-    #[inline(always)]
     pub fn load_now(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         if self.is_taken(slot, address) {
             self.counts.bank_conflicts += 1;
@@ -135,8 +149,8 @@ impl L1 {
 
     /// The registers of `target` wait for `line`, whose time of arrival is not known.
     fn wait(&mut self, line: u32, target: Target<'_>) {
-        for &register in target.registers {
-            self.outstanding.wait(line, Waiter { thread: target.thread, register });
+        for &entry in target.entries {
+            self.outstanding.wait(line, Waiter { thread: target.thread, entry });
         }
     }
 

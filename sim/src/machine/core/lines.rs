@@ -10,24 +10,25 @@ pub struct Lines {
     tags: Tags,
     /// Cycle and line of what arrives, in the order of arrival.
     arrivals: VecDeque<(u32, u32)>,
+    /// Cycle of the first of these.
+    next: u32,
 }
 
 impl Lines {
     /// An empty cache.
     pub fn new(cache: &Cache) -> Self {
-        Self { tags: Tags::new(cache), arrivals: VecDeque::new() }
+        Self { tags: Tags::new(cache), arrivals: VecDeque::new(), next: u32::MAX }
     }
 
     /// Begins the quantum at cycle `start`: fills what has arrived by then, and passes line and cycle to `filled`.
     #[inline]
     pub fn begin(&mut self, start: u32, mut filled: impl FnMut(u32, u32)) {
-        while let Some(&(cycle, line)) = self.arrivals.front() {
-            if cycle > start {
-                break;
-            }
-            self.arrivals.pop_front();
+        while self.next <= start
+            && let Some((cycle, line)) = self.arrivals.pop_front()
+        {
             self.tags.fill(line);
             filled(line, cycle);
+            self.next = self.arrivals.front().map_or(u32::MAX, |(cycle, _)| *cycle);
         }
     }
 
@@ -35,6 +36,7 @@ impl Lines {
     pub fn arrives(&mut self, line: u32, cycle: u32) {
         let at = self.arrivals.partition_point(|(other, _)| *other <= cycle);
         self.arrivals.insert(at, (cycle, line));
+        self.next = self.next.min(cycle);
     }
 
     /// Holds `line` from now on, in no time; whether it did before.
@@ -46,10 +48,16 @@ impl Lines {
         held
     }
 
-    /// Whether `line` is held in cycle `now`: what has arrived since the quantum began counts.
+    /// Whether `line` is held in cycle `now`, in the simple case that nothing has arrived since the quantum began; if not, it
+    /// may be all the same.
     #[inline(always)]
+    pub fn holds_since(&mut self, now: u32, line: u32) -> bool {
+        now < self.next && self.tags.hit(line)
+    }
+
+    /// Whether `line` is held in cycle `now`: what has arrived since the quantum began counts.
     pub fn holds(&mut self, now: u32, line: u32) -> bool {
-        if self.arrivals.front().is_some_and(|(cycle, _)| *cycle <= now) && self.tags.is_enabled() {
+        if self.next <= now && self.tags.is_enabled() {
             let arrived = self.arrivals.iter().rev().filter(|(cycle, _)| *cycle <= now);
             for &(_, other) in arrived {
                 if other == line {

@@ -1,5 +1,7 @@
 //! Lines on their way to a first-level cache, and who waits for them.
 
+use crate::machine::program::BoardEntry;
+
 /// When a line arrives whose time is not known yet.
 pub const UNKNOWN: u32 = u32::MAX;
 
@@ -8,8 +10,8 @@ pub const UNKNOWN: u32 = u32::MAX;
 pub struct Waiter {
     /// The thread.
     pub thread: u8,
-    /// The register.
-    pub register: u8,
+    /// The register's entry on its scoreboard.
+    pub entry: BoardEntry,
 }
 
 #[derive(Clone, Copy, Debug)]

@@ -57,6 +57,6 @@ pub fn accesses(program: &Program, words: &[u32], mut touch: impl FnMut(Kind, u3
                 }
             }
         }
-        at += 1 + program.runs[words[at] as usize].bases.len();
+        at += 1 + program.code.runs[words[at] as usize].bases.len();
     }
 }

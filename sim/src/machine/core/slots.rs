@@ -6,7 +6,7 @@ use super::tm::QUANTUM;
 #[derive(Clone, Debug)]
 pub struct Slots {
     /// For every index that a byte can be, so that none needs a check; most are never used.
-    left: [u8; RESOURCES * QUANTUM],
+    left: [[u8; QUANTUM]; RESOURCES],
 }
 
 const RESOURCES: usize = 1 << u8::BITS;
@@ -16,9 +16,9 @@ pub const ENOUGH: u8 = u8::MAX;
 impl Slots {
     /// `counts` of the first resources in every slot; nothing of the others.
     pub fn new(counts: &[u8]) -> Self {
-        let mut slots = Self { left: [0; RESOURCES * QUANTUM] };
-        for (left, &count) in slots.left.chunks_mut(QUANTUM).zip(counts) {
-            left.fill(count);
+        let mut slots = Self { left: [[0; QUANTUM]; RESOURCES] };
+        for (left, &count) in slots.left.iter_mut().zip(counts) {
+            *left = [count; QUANTUM];
         }
         slots
     }
@@ -26,13 +26,13 @@ impl Slots {
     /// Sets the first `resources` to what they are in `all`.
     #[inline]
     pub fn reset(&mut self, all: &Self, resources: usize) {
-        self.left[..resources * QUANTUM].copy_from_slice(&all.left[..resources * QUANTUM]);
+        self.left[..resources].copy_from_slice(&all.left[..resources]);
     }
 
     /// Takes one of `resource` in `slot`; false if there is none.
     #[inline(always)]
-    pub fn take(&mut self, resource: u8, slot: u32) -> bool {
-        let left = &mut self.left[usize::from(resource) * QUANTUM + slot as usize % QUANTUM];
+    pub fn take(&mut self, resource: u8, slot: usize) -> bool {
+        let left = &mut self.left[usize::from(resource)][slot];
         if *left == 0 {
             return false;
         }
@@ -41,16 +41,16 @@ impl Slots {
     }
 
     /// Adds one of `resource` in `slot`.
-    pub fn give(&mut self, resource: u8, slot: u32) {
-        let left = &mut self.left[usize::from(resource) * QUANTUM + slot as usize % QUANTUM];
+    pub fn give(&mut self, resource: u8, slot: usize) {
+        let left = &mut self.left[usize::from(resource)][slot];
         *left = left.saturating_add(1);
     }
 
     /// The first slot behind `slot` in which there is one of `resource`; `end` if there is none before.
     #[inline]
-    pub fn next(&self, resource: u8, slot: u32, end: u32) -> u32 {
-        let left = &self.left[usize::from(resource) * QUANTUM..][..QUANTUM];
-        (slot + 1..end).find(|slot| left[*slot as usize % QUANTUM] != 0).unwrap_or(end)
+    pub fn next(&self, resource: u8, slot: usize, end: usize) -> usize {
+        let left = &self.left[usize::from(resource)];
+        (slot + 1..end).find(|slot| left[*slot] != 0).unwrap_or(end)
     }
 }
 

@@ -243,7 +243,7 @@ fn a_larger_cache_never_misses_more_and_each_line_is_missed_once_at_least() {
 #[test]
 fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
     let machine = machine(&[]);
-    let target = Target { thread: 0, registers: &[1] };
+    let target = Target { thread: 0, entries: &[1] };
     let mut l1 = L1::new(&machine);
     l1.begin(0);
     // A line that arrives in cycle 4 can be joined a cycle before, and is held from then on.

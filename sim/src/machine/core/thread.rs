@@ -5,10 +5,7 @@ use super::outstanding::UNKNOWN;
 use super::slots::Slots;
 use super::stats::ThreadCycles;
 use super::tm::QUANTUM;
-use crate::machine::program::{Issue, MicroOp, Program, Register};
-
-/// Entries of a scoreboard in memory: as many as an index can have, so that none needs a check.
-pub const ENTRIES: usize = 1 << Register::BITS;
+use crate::machine::program::{BOARD_ENTRIES, BoardEntry, Issue, MicroOp, Program};
 
 /// Where a thread is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,31 +22,32 @@ pub enum State {
     Halted,
 }
 
-/// A thread.
+/// A thread. What the loop below needs of it lies together, its scoreboard behind that.
 #[derive(Clone, Debug)]
+#[repr(C, align(64))]
 pub struct Thread {
-    /// Cycle from which on each register can be used.
-    pub ready: [u32; ENTRIES],
     /// The next cycle that it has not lived through.
     pub time: u32,
     pub last_issue: u32,
-    /// Index of its next operation.
+    /// Index of its next operation, or of what stands behind its run.
     pub pc: u32,
-    /// Index behind its run's last operation.
-    pub end: u32,
-    /// Whether that has been fetched.
-    pub held: bool,
-    pub state: State,
+    /// Index of its run's first operation.
+    first: u32,
     /// Runs with their addresses.
     pub tape: Vec<u32>,
     /// Index of the current run.
-    pub at: usize,
+    pub at: u32,
     /// Index behind the current run's addresses.
-    pub next: usize,
+    next: u32,
+    pub state: State,
+    /// Whether its next operation has been fetched.
+    pub held: bool,
     /// Its instruction cache.
     pub icache: u8,
     /// Words of a load that are under way already, where it reaches into a second line.
-    pub part: u8,
+    part: u8,
+    /// Cycle from which on each register can be used, by its entry.
+    ready: [u32; BOARD_ENTRIES],
 }
 
 /// What the threads of a multiprocessor take from, cycle by cycle of a quantum.
@@ -59,9 +57,10 @@ pub struct Tables<'a> {
     /// Units by pool.
     pub units: &'a mut Slots,
     pub l1: &'a mut L1,
-    /// The quantum.
+    /// First cycle of the quantum.
     pub start: u32,
-    pub end: u32,
+    /// Its cycles.
+    pub length: u32,
 }
 
 /// Why a thread does not go on.
@@ -79,17 +78,51 @@ pub enum Stop {
     Over,
 }
 
-/// The first cycle behind `now` in which there is one of a resource, which it takes; or `end`.
-#[inline(never)]
-fn wait_for(slots: &mut Slots, resource: u8, [start, now, end]: [u32; 3]) -> u32 {
-    let next = start + slots.next(resource, now - start, end - start);
+/// Takes one of `resource` in the first slot behind `slot` in which there is one, and counts the cycles until then; that slot,
+/// or the end of the quantum.
+#[cold]
+fn wait_for(slots: &mut Slots, resource: u8, slot: usize, end: usize, cycles: &mut u64) -> usize {
+    let next = slots.next(resource, slot, end);
     if next < end {
-        slots.take(resource, next - start);
+        slots.take(resource, next);
     }
+    *cycles += (next - slot) as u64;
     next
 }
 
+/// Loads a word from the L1 that may not hold it, in the first slot from `slot` on in which it does not refuse; at the end
+/// of the quantum it still does. That slot comes back, too.
+#[inline(never)]
+fn load(number: u8, op: &MicroOp, address: u32, tables: &mut Tables<'_>, slot: usize) -> (Access, usize) {
+    let target = Target { thread: number, entries: std::slice::from_ref(&op.write) };
+    for slot in slot..tables.length as usize {
+        let access = tables.l1.load(tables.start + slot as u32, slot, address, target);
+        if access != Access::Refused {
+            return (access, slot);
+        }
+    }
+    (Access::Refused, tables.length as usize)
+}
+
 impl Thread {
+    /// A thread that fetches from the instruction cache `icache`.
+    pub fn new(icache: u8) -> Self {
+        Self {
+            time: 0,
+            last_issue: 0,
+            pc: 0,
+            first: 0,
+            tape: vec![],
+            at: 0,
+            next: 0,
+            state: State::Runs,
+            held: false,
+            icache,
+            part: 0,
+            ready: [0; BOARD_ENTRIES],
+        }
+    }
+
     /// Issues operations of thread `number` before the end of the quantum, up to one that is neither plain nor a load that
     /// the L1 serves, or to the end of its tape, which is [`Stop::Over`].
     #[inline(always)]
@@ -100,113 +133,92 @@ impl Thread {
         tables: &mut Tables<'_>,
         cycles: &mut ThreadCycles,
     ) -> Stop {
+        let ops = &program.code.ops[..];
+        let start = tables.start;
+        // So that it is plain that no slot needs a check.
+        let end = (tables.length as usize).min(QUANTUM);
+        let first = (self.time - start) as usize;
+        // The slot behind that of the last operation issued is where a turn of the loop begins.
+        let mut slot = first;
+        let mut behind;
+        let mut pc = self.pc as usize;
         if self.held {
             // It brings its fetch along.
-            let bank = program.ops[self.pc as usize].bank;
-            tables.fetches.give(bank, self.time - tables.start);
+            tables.fetches.give(ops[pc].bank, slot);
         }
-        loop {
-            let first = self.pc as usize;
-            let stop = self.issue_run(number, &program.ops[first..self.end as usize], tables, cycles);
-            let nops = program.nops_before[self.pc as usize] - program.nops_before[first];
-            cycles.issue += u64::from(self.pc - first as u32 - nops);
-            cycles.nop += u64::from(nops);
-            self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
-            if stop != Stop::Over || !self.advance(program) {
-                return stop;
-            }
-            if self.time == tables.end {
-                return Stop::Unfetched;
-            }
-        }
-    }
-
-    /// Issues `ops`, which begin with the next operation.
-    #[inline(always)]
-    fn issue_run(
-        &mut self,
-        number: u8,
-        ops: &[MicroOp],
-        tables: &mut Tables<'_>,
-        cycles: &mut ThreadCycles,
-    ) -> Stop {
-        let (start, end) = (tables.start, tables.end);
-        let (mut now, mut last_issue) = (self.time, self.last_issue);
-        let mut rest = ops.iter();
         let stop = loop {
-            let Some(op) = rest.as_slice().first() else { break Stop::Over };
-            if now == end {
-                break Stop::Unfetched;
-            }
-            if !tables.fetches.take(op.bank, now - start) {
-                let next = wait_for(tables.fetches, op.bank, [start, now, end]);
-                cycles.fetch += u64::from(next - now);
-                now = next;
-                if now == end {
+            let op = &ops[pc];
+            behind = slot;
+            if slot >= end || !tables.fetches.take(op.bank, slot) {
+                if op.issue == Issue::End {
+                    self.pc = pc as u32;
+                    if !self.advance(program, cycles) {
+                        break Stop::Over;
+                    }
+                    pc = self.pc as usize;
+                    continue;
+                }
+                if slot < end {
+                    slot = wait_for(tables.fetches, op.bank, slot, end, &mut cycles.fetch);
+                }
+                if slot >= end {
                     break Stop::Unfetched;
                 }
             }
-            let [a, b, c] = op.reads.map(|register| self.ready[usize::from(register)]);
-            let ready = a.max(b).max(c);
+            let [a, b] = op.reads.map(|entry| self.ready[usize::from(entry)]);
+            let (now, ready) = (start + slot as u32, a.max(b));
             if ready > now {
                 if ready == UNKNOWN {
                     self.state = State::Parked;
                     break Stop::Waits;
                 }
                 cycles.data += u64::from(ready - now);
-                now = ready;
-                if now >= end {
+                slot = (ready - start) as usize;
+                if slot >= end {
                     break Stop::Waits;
                 }
             }
             let ready = if op.issue == Issue::Plain {
-                if !tables.units.take(op.pool, now - start) {
-                    let next = wait_for(tables.units, op.pool, [start, now, end]);
-                    cycles.units += u64::from(next - now);
-                    now = next;
-                    if now == end {
+                if !tables.units.take(op.pool, slot) {
+                    slot = wait_for(tables.units, op.pool, slot, end, &mut cycles.units);
+                    if slot >= end {
                         break Stop::Waits;
                     }
                 }
-                now + u32::from(op.latency)
+                start + slot as u32 + u32::from(op.latency)
             } else if op.issue == Issue::Load {
-                let first = now;
-                let access = self.load(number, op, tables.l1, &mut now, [start, end]);
-                cycles.memory += u64::from(now - first);
-                match access {
-                    Access::Served(ready) => ready,
-                    Access::Ask => break Stop::Asks,
-                    Access::Refused => break Stop::Waits,
+                let (now, address) = (start + slot as u32, self.word(op));
+                if let Some(ready) = tables.l1.hit(now, slot, address) {
+                    ready
+                } else {
+                    let access;
+                    (access, slot) = load(number, op, address, tables, slot);
+                    cycles.memory += u64::from(start + slot as u32 - now);
+                    match access {
+                        Access::Served(ready) => ready,
+                        Access::Ask => break Stop::Asks,
+                        Access::Refused => break Stop::Waits,
+                    }
                 }
             } else {
                 break Stop::Other;
             };
-            self.ready[usize::from(op.write)] = ready;
-            last_issue = now;
-            now += 1;
-            rest.next();
+            self.set_ready(op.write, ready);
+            slot += 1;
+            pc += 1;
         };
-        (self.time, self.last_issue) = (now, last_issue);
-        self.pc += (ops.len() - rest.len()) as u32;
+        if behind != first {
+            self.last_issue = start + behind as u32 - 1;
+        }
+        self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
+        (self.time, self.pc) = (start + slot as u32, pc as u32);
         stop
     }
 
-    /// Loads a word from the L1, in the first cycle from `now` on in which it does not refuse; at the end of the quantum it
-    /// still does.
-    #[inline(never)]
-    fn load(&self, number: u8, op: &MicroOp, l1: &mut L1, now: &mut u32, [start, end]: [u32; 2]) -> Access {
-        let address = self.tape[self.at + 1 + usize::from(op.base)] + u32::from(op.offset);
-        let target = Target { thread: number, registers: std::slice::from_ref(&op.write) };
-        loop {
-            let access = l1.load(*now, (*now - start) as usize % QUANTUM, address, target);
-            if access != Access::Refused {
-                return access;
-            }
-            *now += 1;
-            if *now == end {
-                return access;
-            }
-        }
+    /// The register of `entry` can be used from cycle `ready` on.
+    #[inline(always)]
+    pub fn set_ready(&mut self, entry: BoardEntry, ready: u32) {
+        self.ready[usize::from(entry)] = ready;
     }
 
     /// The thread waits for an operand until cycle `at`; whether that is known.
@@ -222,32 +234,45 @@ impl Thread {
 
     /// Goes to the run that the tape is at.
     #[inline(always)]
-    pub fn enter(&mut self, program: &Program) {
-        let run = &program.runs[self.tape[self.at] as usize];
-        self.next = self.at + 1 + run.bases.len();
+    pub fn enter(&mut self, program: &Program, cycles: &mut ThreadCycles) {
+        self.count_issued(program, cycles);
+        let run = &program.code.runs[self.tape[self.at as usize] as usize];
+        self.next = self.at + 1 + run.bases.len() as u32;
+        self.first = run.first;
         self.pc = run.first;
-        self.end = run.first + run.length;
+    }
+
+    /// Counts what it has issued of its run so far.
+    pub fn count_issued(&self, program: &Program, cycles: &mut ThreadCycles) {
+        let nops = program.code.nops(self.first, self.pc);
+        cycles.issue += u64::from(self.pc - self.first - nops);
+        cycles.nop += u64::from(nops);
     }
 
     /// Goes to the next run; false, and an end, if there is none.
     #[inline(always)]
-    pub fn advance(&mut self, program: &Program) -> bool {
-        if self.next >= self.tape.len() {
+    pub fn advance(&mut self, program: &Program, cycles: &mut ThreadCycles) -> bool {
+        if self.next as usize >= self.tape.len() {
             self.state = State::Ended;
             return false;
         }
         self.at = self.next;
-        self.enter(program);
+        self.enter(program, cycles);
         true
     }
 
-    /// The word address of a memory operation.
+    /// The first word address of a memory operation.
     #[inline(always)]
-    pub fn address(&self, op: &MicroOp) -> u32 {
-        self.tape[self.at + 1 + usize::from(op.base)] + u32::from(op.offset) + u32::from(self.part)
+    fn word(&self, op: &MicroOp) -> u32 {
+        self.tape[self.at as usize + 1 + usize::from(op.base)] + u32::from(op.offset)
     }
 
-    /// Registers of the words that an access at `address` brings: those up to the end of the line.
+    /// The word address that a memory operation accesses next.
+    pub fn address(&self, op: &MicroOp) -> u32 {
+        self.word(op) + u32::from(self.part)
+    }
+
+    /// Entries of the words that an access at `address` brings: those up to the end of the line.
     #[inline(always)]
     pub fn targets<'p>(
         &self,
@@ -255,13 +280,13 @@ impl Thread {
         op: &'p MicroOp,
         address: u32,
         line_words: u32,
-    ) -> &'p [Register] {
+    ) -> &'p [BoardEntry] {
         if op.operands == 0 {
             return std::slice::from_ref(&op.write);
         }
-        let registers = &program.operands_of(op).writes[usize::from(self.part)..];
+        let entries = &program.operands_of(op).writes[usize::from(self.part)..];
         let to_the_end = (line_words - address % line_words) as usize;
-        &registers[..registers.len().min(to_the_end)]
+        &entries[..entries.len().min(to_the_end)]
     }
 
     /// The words that an access at `address` brought can be used from cycle `ready` on; whether these were the last.
@@ -273,11 +298,11 @@ impl Thread {
         line_words: u32,
         ready: u32,
     ) -> bool {
-        let registers = self.targets(program, op, address, line_words);
-        for &register in registers {
-            self.ready[usize::from(register)] = ready;
+        let entries = self.targets(program, op, address, line_words);
+        for &entry in entries {
+            self.set_ready(entry, ready);
         }
-        self.part += registers.len() as u8;
+        self.part += entries.len() as u8;
         if usize::from(self.part) < program.operands_of(op).writes.len() {
             return false;
         }
@@ -287,15 +312,15 @@ impl Thread {
 
     #[cold]
     pub fn write_all(&mut self, program: &Program, op: &MicroOp, ready: u32) {
-        self.ready[usize::from(op.write)] = ready;
-        for &register in &program.operands_of(op).writes {
-            self.ready[usize::from(register)] = ready;
+        self.set_ready(op.write, ready);
+        for &entry in &program.operands_of(op).writes {
+            self.set_ready(entry, ready);
         }
     }
 
     /// When the further registers can be used that an operation waits for.
     pub fn more_ready(&self, program: &Program, op: &MicroOp) -> u32 {
         let reads = &program.operands_of(op).reads;
-        reads.iter().map(|register| self.ready[usize::from(*register)]).max().unwrap_or(0)
+        reads.iter().map(|entry| self.ready[usize::from(*entry)]).max().unwrap_or(0)
     }
 }

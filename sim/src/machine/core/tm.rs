@@ -13,9 +13,9 @@ use super::l1::{Access, L1, Target};
 use super::outstanding::Waiter;
 use super::slots::{self, Slots};
 use super::stats::ThreadCycles;
-use super::thread::{ENTRIES, State, Stop, Tables, Thread};
+use super::thread::{State, Stop, Tables, Thread};
 use crate::machine::description::MachineDescription;
-use crate::machine::program::{COUNTER, Kind, MicroOp, PIPELINE, POOLS, Program, UNLIMITED};
+use crate::machine::program::{COUNTER, Issue, Kind, MicroOp, PIPELINE, POOLS, Program, UNLIMITED};
 use crate::unit_costs::Unit;
 
 /// Most cycles of a quantum.
@@ -49,8 +49,8 @@ pub struct Tm {
     number: u16,
     /// The threads.
     pub threads: Vec<Thread>,
-    /// The threads that have not finished, in order.
-    active: Vec<u8>,
+    /// Those that have not finished.
+    running: usize,
     line_words: u32,
     /// Fetches left by bank, for each instruction cache.
     fetches: Vec<Slots>,
@@ -69,7 +69,7 @@ pub struct Tm {
     pub ended: Vec<u8>,
     /// Threads that the chip has answered in this quantum.
     answered: Vec<u8>,
-    /// What threads did.
+    /// What threads did, but for what they issued of runs that are not over.
     pub cycles: ThreadCycles,
 }
 
@@ -86,28 +86,11 @@ impl Tm {
         let icache = &machine.icache;
         let icache_banks = icache.banks as usize;
         let all_fetches = Slots::new(&vec![icache.fetches_per_bank as u8; icache_banks]);
-        let thread = Thread {
-            ready: [0; ENTRIES],
-            time: 0,
-            last_issue: 0,
-            pc: 0,
-            end: 0,
-            held: false,
-            state: State::Runs,
-            tape: vec![],
-            at: 0,
-            next: 0,
-            icache: 0,
-            part: 0,
-        };
-        let mut threads = vec![thread; machine.tm.threads as usize];
-        for (number, thread) in threads.iter_mut().enumerate() {
-            thread.icache = (number as u32 % icache.caches) as u8;
-        }
+        let threads = (0..machine.tm.threads).map(|number| Thread::new((number % icache.caches) as u8));
         Self {
             number,
-            threads,
-            active: (0..machine.tm.threads as u8).collect(),
+            threads: threads.collect(),
+            running: machine.tm.threads as usize,
             line_words: machine.l1.line_words(),
             fetches: vec![all_fetches.clone(); icache.caches as usize],
             all_fetches,
@@ -124,22 +107,26 @@ impl Tm {
 
     /// Whether all threads have finished.
     pub fn is_halted(&self) -> bool {
-        self.active.is_empty()
+        self.running == 0
     }
 
     /// The first cycle in which some thread goes on by itself.
     pub fn next_time(&self) -> u32 {
-        let active = self.active.iter().map(|thread| &self.threads[usize::from(*thread)]);
-        let running = active.filter(|thread| thread.state == State::Runs);
+        let running = self.threads.iter().filter(|thread| thread.state == State::Runs);
         running.map(|thread| thread.time).min().unwrap_or(u32::MAX)
+    }
+
+    /// Whether some thread goes on by itself in cycle `end` or before.
+    pub fn goes_on_by(&self, end: u32) -> bool {
+        self.threads.iter().any(|thread| thread.state == State::Runs && thread.time <= end)
     }
 
     /// It is known now that `line` arrives in cycle `arrival`.
     pub fn arrives(&mut self, line: u32, arrival: u32) {
         let (threads, cycles) = (&mut self.threads, &mut self.cycles);
-        self.l1.arrives(line, arrival, |Waiter { thread, register }| {
+        self.l1.arrives(line, arrival, |Waiter { thread, entry }| {
             let thread = &mut threads[usize::from(thread)];
-            thread.ready[usize::from(register)] = arrival;
+            thread.set_ready(entry, arrival);
             if thread.state == State::Parked {
                 // It looks again whether it can go on.
                 thread.state = State::Runs;
@@ -158,12 +145,12 @@ impl Tm {
         self.fetches.iter_mut().for_each(|cache| cache.reset(&self.all_fetches, self.icache_banks));
         self.units.reset(&self.all_units, POOLS);
         self.l1.begin(start);
-        let last_issue = |thread: &u8| self.threads[usize::from(*thread)].last_issue;
+        let running = self.threads.iter().enumerate().filter(|(_, thread)| thread.state != State::Halted);
         // Of several, the first.
-        let first = self.active.iter().enumerate().min_by_key(|(_, thread)| last_issue(thread));
-        let first = first.map_or(0, |(at, _)| at);
-        for at in (first..self.active.len()).chain(0..first) {
-            self.run(program, self.active[at].into(), start, end);
+        let first = running.min_by_key(|(_, thread)| thread.last_issue).map_or(0, |(number, _)| number);
+        let count = self.threads.len();
+        for at in first..first + count {
+            self.run_inline(program, if at < count { at } else { at - count }, start, end);
         }
     }
 
@@ -177,15 +164,20 @@ impl Tm {
     }
 
     /// Runs a thread until the end of the quantum, or until it has to wait for the chip.
-    #[inline]
     pub fn run(&mut self, program: &Program, number: usize, start: u32, end: u32) {
+        self.run_inline(program, number, start, end);
+    }
+
+    #[inline(always)]
+    fn run_inline(&mut self, program: &Program, number: usize, start: u32, end: u32) {
         loop {
             let thread = &mut self.threads[number];
             if thread.state != State::Runs || thread.time >= end {
                 return;
             }
             let fetches = &mut self.fetches[usize::from(thread.icache)];
-            let mut tables = Tables { fetches, units: &mut self.units, l1: &mut self.l1, start, end };
+            let length = end - start;
+            let mut tables = Tables { fetches, units: &mut self.units, l1: &mut self.l1, start, length };
             match thread.issue(number as u8, program, &mut tables, &mut self.cycles) {
                 Stop::Unfetched | Stop::Waits => return,
                 Stop::Other => {
@@ -194,7 +186,7 @@ impl Tm {
                     }
                 }
                 Stop::Asks => {
-                    let op = &program.ops[thread.pc as usize];
+                    let op = &program.code.ops[thread.pc as usize];
                     let request = Request::new(thread.time, self.number, number, op.kind, thread.address(op));
                     thread.state = State::Asks;
                     self.outbox.push(request);
@@ -214,13 +206,13 @@ impl Tm {
         let (thread, cycles) = (&mut self.threads[number], &mut self.cycles);
         let now = thread.time;
         let slot = (now - start) as usize % QUANTUM;
-        let op = &program.ops[thread.pc as usize];
+        let op = &program.code.ops[thread.pc as usize];
         let at = thread.more_ready(program, op);
         if at > now {
             return thread.waits(at, cycles);
         }
-        if !self.units.take(op.pool, slot as u32) {
-            let next = start + self.units.next(op.pool, slot as u32, end - start);
+        if !self.units.take(op.pool, slot) {
+            let next = start + self.units.next(op.pool, slot, (end - start) as usize) as u32;
             cycles.units += u64::from(next - now);
             thread.time = next;
             return true;
@@ -235,8 +227,8 @@ impl Tm {
             Kind::Load | Kind::Store => {
                 let address = thread.address(op);
                 let access = if op.kind == Kind::Load {
-                    let registers = thread.targets(program, op, address, self.line_words);
-                    self.l1.load(now, slot, address, Target { thread: number as u8, registers })
+                    let entries = thread.targets(program, op, address, self.line_words);
+                    self.l1.load(now, slot, address, Target { thread: number as u8, entries })
                 } else {
                     self.l1.store(slot, address)
                 };
@@ -264,9 +256,8 @@ impl Tm {
                 }
             }
         };
-        cycles.issue += 1;
         if op.operands == 0 {
-            thread.ready[usize::from(op.write)] = ready;
+            thread.set_ready(op.write, ready);
         } else if op.kind != Kind::Load {
             thread.write_all(program, op, ready);
         }
@@ -274,7 +265,7 @@ impl Tm {
         thread.time += 1;
         thread.held = false;
         thread.pc += 1;
-        if thread.pc == thread.end && !thread.advance(program) {
+        if program.code.ops[thread.pc as usize].issue == Issue::End && !thread.advance(program, cycles) {
             self.ended.push(number as u8);
             return false;
         }
@@ -284,7 +275,7 @@ impl Tm {
     /// The chip has served a request: the thread's result can be used from cycle `ready` on.
     pub fn served(&mut self, program: &Program, request: Request, ready: u32) {
         let thread = &mut self.threads[usize::from(request.thread)];
-        let op = &program.ops[thread.pc as usize];
+        let op = &program.code.ops[thread.pc as usize];
         self.answered.push(request.thread);
         thread.time = request.cycle + 1;
         thread.state = State::Runs;
@@ -294,13 +285,14 @@ impl Tm {
                 return;
             }
         } else {
-            thread.ready[usize::from(op.write)] = ready;
+            thread.set_ready(op.write, ready);
         }
-        self.cycles.issue += 1;
         thread.last_issue = request.cycle;
         thread.held = false;
         thread.pc += 1;
-        if thread.pc == thread.end && !thread.advance(program) {
+        if program.code.ops[thread.pc as usize].issue == Issue::End
+            && !thread.advance(program, &mut self.cycles)
+        {
             self.ended.push(request.thread);
         }
     }
@@ -317,35 +309,35 @@ impl Tm {
     /// Loads a request's address now that all earlier requests to the chip have been served.
     pub fn load_now(&mut self, program: &Program, request: Request, slot: usize) -> Access {
         let (thread, op) = self.asking(program, request);
-        let registers = thread.targets(program, op, request.address, self.line_words);
-        let target = Target { thread: request.thread, registers };
+        let entries = thread.targets(program, op, request.address, self.line_words);
+        let target = Target { thread: request.thread, entries };
         self.l1.load_now(request.cycle, slot, request.address, target)
     }
 
     /// The chip has taken the load of a request, whose line arrives in cycle `arrival`.
     pub fn taken(&mut self, program: &Program, request: Request, slot: usize, arrival: u32) {
         let (thread, op) = self.asking(program, request);
-        let registers = thread.targets(program, op, request.address, self.line_words);
-        let target = Target { thread: request.thread, registers };
+        let entries = thread.targets(program, op, request.address, self.line_words);
+        let target = Target { thread: request.thread, entries };
         self.l1.taken(request.cycle, slot, request.address, arrival, target);
     }
 
     fn asking<'p>(&self, program: &'p Program, request: Request) -> (&Thread, &'p MicroOp) {
         let thread = &self.threads[usize::from(request.thread)];
-        (thread, &program.ops[thread.pc as usize])
+        (thread, &program.code.ops[thread.pc as usize])
     }
 
     /// The thread has got a new tape.
     pub fn resume(&mut self, program: &Program, number: usize) {
         let thread = &mut self.threads[number];
         thread.state = State::Runs;
-        thread.enter(program);
+        thread.enter(program, &mut self.cycles);
     }
 
     /// The thread has finished.
     pub fn halt(&mut self, number: usize) {
         self.threads[number].state = State::Halted;
-        self.active.retain(|thread| usize::from(*thread) != number);
+        self.running -= 1;
     }
 
     /// The cycle in which the last thread to finish issued its last instruction.
@@ -353,9 +345,16 @@ impl Tm {
         self.threads.iter().map(|thread| thread.last_issue).max().unwrap_or(0)
     }
 
+    /// What threads did so far.
+    pub fn thread_cycles(&self, program: &Program) -> ThreadCycles {
+        let mut cycles = self.cycles;
+        self.threads.iter().for_each(|thread| thread.count_issued(program, &mut cycles));
+        cycles
+    }
+
     /// Counts what threads that have finished did not do until cycle `end`.
-    pub fn finish(&mut self, end: u32) {
+    pub fn finish(&mut self, program: &Program, end: u32) {
         let all = u64::from(end) * self.threads.len() as u64;
-        self.cycles.halted = all - self.cycles.total();
+        self.cycles.halted = all - self.thread_cycles(program).total();
     }
 }

@@ -65,7 +65,7 @@ impl<'a> Tape<'a> {
     pub fn event(&mut self, at: EntryId, conditions: Conditions) {
         assert_eq!(at, self.entry, "{}: event at another entry point", self.program.name);
         let id: RunId = self.program.run(at, conditions);
-        let run = &self.program.runs[id as usize];
+        let run = &self.program.code.runs[id as usize];
         self.words.push(id);
         self.counts[id as usize] += 1;
         for &base in &run.bases {

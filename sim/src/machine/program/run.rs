@@ -1,7 +1,8 @@
 //! Runs of operations, as the timing core executes them.
 
 use super::EntryId;
-use super::isa::{Place, REGISTERS, Register};
+use super::isa;
+use super::scoreboard::{BoardEntry, READY, SINK};
 
 /// What the core has to do for an operation beyond waiting for its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -29,49 +30,63 @@ pub enum Issue {
     Load,
     /// The multiprocessor.
     Other,
+    /// Nobody: it stands behind the last operation of a run.
+    End,
 }
 
 /// An operation as the core executes it.
 #[derive(Clone, Copy, Debug)]
-#[repr(C)]
+#[repr(C, align(16))]
 pub struct MicroOp {
     /// Who issues it.
     pub issue: Issue,
-    /// Index of the unit pool, see [`pool_of`].
-    pub pool: u8,
     /// What else there is to do.
     pub kind: Kind,
-    /// Whether it reaches the thread's local store.
-    pub local_store: bool,
-    /// Bank of the instruction cache.
+    /// Bank of the instruction cache; [`NO_BANK`] behind the last operation of a run.
     pub bank: u8,
-    /// Registers that it waits for; register zero is always ready.
-    pub reads: [Register; 3],
-    /// Register that it writes; [`SINK`] for none.
-    pub write: Register,
+    /// Index of the unit pool, see [`pool_of`].
+    pub pool: u8,
+    /// Entries of the registers that it can find not to be ready; [`READY`] for no further one.
+    pub reads: [BoardEntry; 2],
+    /// Entry of the register that it writes.
+    pub write: BoardEntry,
     /// Cycles until the result can be used.
     pub latency: u8,
     /// For memory operations, which of the event's addresses they are relative to.
     pub base: u8,
     /// Words behind that address.
     pub offset: u16,
-    /// Index of its further operands in [`super::Program::operands`]; 0 for none.
+    /// Index of its further operands in [`super::Code::operands`]; 0 for none.
     pub operands: u16,
 }
 
-/// Registers of an operation that do not fit in it.
+/// The bank behind the last operation of a run: it never has a fetch left.
+pub const NO_BANK: u8 = u8::MAX;
+
+impl MicroOp {
+    /// What stands behind the last operation of a run.
+    pub const END: Self = Self {
+        issue: Issue::End,
+        kind: Kind::Plain,
+        bank: NO_BANK,
+        pool: UNLIMITED,
+        reads: [READY; 2],
+        write: SINK,
+        latency: 0,
+        base: 0,
+        offset: 0,
+        operands: 0,
+    };
+}
+
+/// Registers of an operation that do not fit in it, by their entries.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Operands {
     /// All registers written, where there are several.
-    pub writes: Vec<Register>,
-    /// Registers that it waits for beyond the first three.
-    pub reads: Vec<Register>,
+    pub writes: Vec<BoardEntry>,
+    /// Registers that it can find not to be ready, beyond the first two.
+    pub reads: Vec<BoardEntry>,
 }
-
-/// Written by operations without result.
-pub const SINK: Register = REGISTERS as Register;
-/// Entries of a scoreboard.
-pub const SCOREBOARD: usize = REGISTERS + 1;
 
 /// Index of a run in [`super::Program::runs`].
 pub type RunId = u32;
@@ -81,7 +96,7 @@ pub type RunId = u32;
 pub struct Run {
     /// Index of its first operation.
     pub first: u32,
-    /// Number of operations.
+    /// Number of operations; behind them stands an [`Issue::End`].
     pub length: u32,
     /// Names of the addresses that it needs, as indices of [`super::Program::bases`], in the order in which an event gives them.
     pub bases: Vec<u8>,
@@ -100,7 +115,8 @@ pub const COUNTER: u8 = UNLIMITED + 2;
 
 /// The pool that an operation takes its unit from.
 #[must_use]
-pub fn pool_of(place: Place) -> u8 {
+pub fn pool_of(place: isa::Place) -> u8 {
+    use isa::Place;
     match place {
         Place::Unit(unit) => unit as u8,
         Place::Pipeline => PIPELINE,

@@ -9,7 +9,7 @@ use super::core::{CacheCounts, Counts, DramCounts, ThreadCycles};
 use super::costs::{CacheCosts, LOCAL_STORE, REGISTER_ACCESSES, REGISTERS};
 use super::description::{DescriptionError, MachineDescription};
 use super::pipelines::Pipeline;
-use super::program::{PIPELINE, Program, UNLIMITED};
+use super::program::{Place, Program};
 use crate::unit_costs::Unit;
 use physics::{area_mm2, dram_energy_mj, utilisation_pct};
 use serde::Serialize;
@@ -38,21 +38,18 @@ impl Instructions {
     /// Counts what `program` executed.
     #[must_use]
     pub fn new(program: &Program, counts: &Counts) -> Self {
-        use super::program::{COUNTER, Kind};
         let mut sum = Self::default();
         for (id, &times) in counts.runs.iter().enumerate() {
-            for op in program.ops_of(id as u32) {
+            for place in program.places_of(id as u32) {
                 sum.total += times;
-                match op.kind {
-                    Kind::Nop => sum.nops += times,
-                    Kind::Load => sum.loads += times,
-                    Kind::Store => sum.stores += times,
-                    Kind::Plain | Kind::Counter => match op.pool {
-                        PIPELINE => sum.pipeline += times,
-                        UNLIMITED if op.local_store => sum.local_store += times,
-                        UNLIMITED | COUNTER => {}
-                        pool => *sum.units.entry(Unit::ALL[usize::from(pool)]).or_default() += times,
-                    },
+                match place {
+                    Place::Unit(unit) => *sum.units.entry(unit).or_default() += times,
+                    Place::Pipeline => sum.pipeline += times,
+                    Place::LocalStore => sum.local_store += times,
+                    Place::Load => sum.loads += times,
+                    Place::Store => sum.stores += times,
+                    Place::Nop => sum.nops += times,
+                    Place::Registers | Place::Counter => {}
                 }
             }
         }

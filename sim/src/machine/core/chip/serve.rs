@@ -21,21 +21,29 @@ impl<W: Work> Chip<'_, W> {
     /// Serves what multiprocessors ask in the order of time; if `wakes`, also reads for whose channel there is room again.
     pub(super) fn serve(&mut self, start: u32, wakes: bool) {
         let mut requests = std::mem::take(&mut self.requests);
-        for seat in &mut self.seats {
-            seat.tm
-                .outbox
-                .drain(..)
-                .for_each(|request| requests[(request.cycle - start) as usize].push(request));
-        }
         // In one cycle, multiprocessors come in ring order from another one each time.
         let (count, first) = (self.seats.len() as u32, start / self.length % self.seats.len() as u32);
         let place = |request: &Request| {
             let tm = u32::from(request.tm);
             if tm < first { tm + count - first } else { tm - first }
         };
-        for slot in 0..self.length as usize {
-            let mut now = std::mem::take(&mut requests[slot]);
-            if wakes && !self.blocked.is_empty() {
+        let (before, from) = self.seats.split_at_mut(first as usize);
+        for seat in from.iter_mut().chain(before) {
+            seat.tm
+                .outbox
+                .drain(..)
+                .for_each(|request| requests[(request.cycle - start) as usize].push(request));
+        }
+        let wakes = wakes && !self.blocked.is_empty();
+        // What was refused in the slot before.
+        let mut refused = std::mem::take(&mut self.refused);
+        for (slot, now) in requests[..self.length as usize].iter_mut().enumerate() {
+            if now.is_empty() && refused.is_empty() && !wakes {
+                continue;
+            }
+            merge(now, &refused, place);
+            refused.clear();
+            if wakes {
                 let cycle = start + slot as u32;
                 self.dram.advance(cycle);
                 let seats = &mut self.seats;
@@ -44,8 +52,8 @@ impl<W: Work> Chip<'_, W> {
                     request.cycle = cycle;
                     now.push(request);
                 });
+                now.sort_by_key(place);
             }
-            now.sort_by_key(place);
             for mut request in now.drain(..) {
                 match self.serve_one(&mut request, slot) {
                     Outcome::Served => continue,
@@ -60,14 +68,13 @@ impl<W: Work> Chip<'_, W> {
                 if slot + 1 < self.length as usize {
                     tm.cycles.memory += 1;
                     request.cycle += 1;
-                    requests[slot + 1].push(request);
+                    refused.push(request);
                 } else {
                     tm.refused(request);
                 }
             }
-            requests[slot] = now;
         }
-        self.requests = requests;
+        (self.requests, self.refused) = (requests, refused);
     }
 
     /// Serves a request of this slot, if it can.
@@ -136,5 +143,50 @@ impl<W: Work> Chip<'_, W> {
         tm.taken(program, *request, slot, arrival);
         tm.served(program, *request, arrival);
         Outcome::Served
+    }
+}
+
+/// Merges `later` into `requests`, both in order of place, behind those of the same place.
+fn merge(requests: &mut Vec<Request>, later: &[Request], place: impl Fn(&Request) -> u32) {
+    let (mut these, mut those) = (requests.len(), later.len());
+    requests.extend_from_slice(later);
+    while those > 0 {
+        let last = later[those - 1];
+        if these > 0 && place(&requests[these - 1]) > place(&last) {
+            these -= 1;
+            requests[these + those] = requests[these];
+        } else {
+            those -= 1;
+            requests[these + those] = last;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn requests_of_one_place_stay_in_order_when_they_are_merged() {
+        let request = |&(tm, thread): &(u16, u8)| Request {
+            cycle: 0,
+            tm,
+            thread,
+            kind: Kind::Load,
+            address: 0,
+            missed: 0,
+        };
+        let merged = |these: &[(u16, u8)], those: &[(u16, u8)]| {
+            let mut requests: Vec<Request> = these.iter().map(request).collect();
+            let later: Vec<Request> = those.iter().map(request).collect();
+            merge(&mut requests, &later, |request| request.tm.into());
+            requests.iter().map(|request| (request.tm, request.thread)).collect::<Vec<_>>()
+        };
+        assert_eq!(
+            merged(&[(1, 0), (3, 1)], &[(0, 2), (1, 3), (2, 4), (3, 5), (4, 6)]),
+            [(0, 2), (1, 0), (1, 3), (2, 4), (3, 1), (3, 5), (4, 6)]
+        );
+        assert_eq!(merged(&[], &[(1, 0), (1, 1)]), [(1, 0), (1, 1)]);
+        assert_eq!(merged(&[(2, 0)], &[]), [(2, 0)]);
     }
 }

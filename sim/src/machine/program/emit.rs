@@ -1,0 +1,160 @@
+//! Makes the operations that the core executes of a listing's instructions.
+
+use super::EntryId;
+use super::isa::{Place, Register};
+use super::listing::{Instruction, Listing};
+use super::run::{Issue, Kind, MicroOp, Operands, Run, pool_of};
+use super::scoreboard::{Accesses, BoardEntry, READY, SINK, Scoreboard, Stretch};
+use crate::machine::description::MachineDescription;
+
+/// The instructions from one entry point to the next.
+pub struct Route {
+    pub from: EntryId,
+    pub to: Option<EntryId>,
+    /// Indices into the listing.
+    pub instructions: Vec<usize>,
+}
+
+/// What a program executes.
+#[derive(Clone, Debug)]
+pub struct Code {
+    /// Operations of all runs, each run with an [`Issue::End`] behind it.
+    pub ops: Vec<MicroOp>,
+    /// Where each of them executes; none for ends.
+    pub places: Vec<Option<Place>>,
+    /// Nops before each of them.
+    nops_before: Vec<u32>,
+    /// Registers of operations that wait for more than two or write several; the first are those of all others.
+    pub operands: Vec<Operands>,
+    /// All runs.
+    pub runs: Vec<Run>,
+}
+
+/// What code is made of.
+pub struct Source<'a> {
+    pub listing: &'a Listing,
+    pub machine: &'a MachineDescription,
+    pub pipeline_latency_cycles: u32,
+    pub routes: &'a [Route],
+    /// Number of entry points.
+    pub entries: usize,
+    /// Names of addresses.
+    pub bases: &'a [String],
+}
+
+impl Code {
+    /// The code of `source`, with a run for each of its routes.
+    pub fn new(source: &Source<'_>) -> Self {
+        let stretch = |route: &Route| Stretch {
+            from: route.from,
+            to: route.to,
+            operations: route.instructions.iter().map(|at| source.accesses(*at)).collect(),
+        };
+        let stretches: Vec<Stretch> = source.routes.iter().map(stretch).collect();
+        let board = Scoreboard::new(&stretches, source.entries);
+        let mut code = Self {
+            ops: vec![],
+            places: vec![],
+            nops_before: vec![],
+            operands: vec![Operands::default()],
+            runs: vec![],
+        };
+        for (route, waits) in source.routes.iter().zip(&board.waits) {
+            code.add_run(source, route, waits, &board);
+        }
+        let mut nops = 0;
+        let count = |op: &MicroOp| {
+            let before = nops;
+            nops += u32::from(op.kind == Kind::Nop);
+            before
+        };
+        code.nops_before = code.ops.iter().map(count).collect();
+        code
+    }
+
+    /// Nops from one operation up to another of the same run.
+    #[inline(always)]
+    pub fn nops(&self, from: u32, to: u32) -> u32 {
+        self.nops_before[to as usize] - self.nops_before[from as usize]
+    }
+
+    fn add_run(&mut self, source: &Source<'_>, route: &Route, waits: &[Vec<Register>], board: &Scoreboard) {
+        let first = self.ops.len() as u32;
+        let mut bases: Vec<u8> = vec![];
+        for (&at, waits) in route.instructions.iter().zip(waits) {
+            let instruction = &source.listing.instructions[at];
+            let mut op = self.operation(source, instruction, waits, board);
+            op.bank = (at as u32 & (source.machine.icache.banks - 1)) as u8;
+            if let Some((base, offset)) = &instruction.address {
+                let base = source.bases.iter().position(|b| b == base).expect("interned") as u8;
+                let slot = bases.iter().position(|b| *b == base).unwrap_or_else(|| {
+                    bases.push(base);
+                    bases.len() - 1
+                });
+                (op.base, op.offset) = (slot as u8, *offset as u16);
+            }
+            self.ops.push(op);
+            self.places.push(Some(instruction.decoded.place));
+        }
+        let length = self.ops.len() as u32 - first;
+        self.ops.push(MicroOp::END);
+        self.places.push(None);
+        self.runs.push(Run { first, length, bases, next: route.to });
+    }
+
+    fn operation(
+        &mut self,
+        source: &Source<'_>,
+        instruction: &Instruction,
+        waits: &[Register],
+        board: &Scoreboard,
+    ) -> MicroOp {
+        let decoded = &instruction.decoded;
+        let entries = |registers: &[Register]| registers.iter().map(|r| board.entry(*r)).collect();
+        let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&decoded.writes));
+        let write = writes.first().copied().unwrap_or(SINK);
+        let mut reads = [READY; 2];
+        reads.iter_mut().zip(&waits).for_each(|(slot, waits)| *slot = *waits);
+        let further = Operands {
+            writes: if writes.len() > 1 { writes } else { vec![] },
+            reads: waits.get(reads.len()..).unwrap_or_default().to_vec(),
+        };
+        let operands = self.operands.iter().position(|known| *known == further).unwrap_or_else(|| {
+            self.operands.push(further);
+            self.operands.len() - 1
+        });
+        let kind = match decoded.place {
+            Place::Nop => Kind::Nop,
+            Place::Load => Kind::Load,
+            Place::Store => Kind::Store,
+            Place::Counter => Kind::Counter,
+            _ => Kind::Plain,
+        };
+        let issue = match kind {
+            _ if operands != 0 => Issue::Other,
+            Kind::Plain | Kind::Nop => Issue::Plain,
+            Kind::Load => Issue::Load,
+            Kind::Store | Kind::Counter => Issue::Other,
+        };
+        let latency = source.latency_cycles(decoded.place) as u8;
+        let (pool, operands) = (pool_of(decoded.place), operands as u16);
+        MicroOp { issue, kind, pool, reads, write, latency, operands, ..MicroOp::END }
+    }
+}
+
+impl Source<'_> {
+    fn latency_cycles(&self, place: Place) -> u32 {
+        match place {
+            Place::Unit(unit) => self.machine.units.pool(unit).latency_cycles,
+            Place::Load => self.machine.l1.latency_cycles,
+            Place::Pipeline => self.pipeline_latency_cycles,
+            _ => 1,
+        }
+    }
+
+    fn accesses(&self, at: usize) -> Accesses {
+        let decoded = &self.listing.instructions[at].decoded;
+        let latency_cycles = (decoded.place != Place::Load).then(|| self.latency_cycles(decoded.place));
+        Accesses { reads: decoded.reads.clone(), writes: decoded.writes.clone(), latency_cycles }
+    }
+}

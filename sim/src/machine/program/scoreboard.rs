@@ -1,0 +1,186 @@
+//! Which operands an operation can find not to be ready, and the entries of their registers on the scoreboard.
+//!
+//! A thread issues in order, at most one operation a cycle. So a result is ready for whoever comes as many operations
+//! later as its unit takes cycles, and for whoever comes behind an operation that has waited for it. Along the runs of a
+//! program this leaves few operands that need a look, and few registers that need an entry. What a load brings may come
+//! at any time, and also after its register was written again, until an operation has waited for it.
+
+use super::EntryId;
+use super::isa::{REGISTERS, Register, ZERO};
+
+/// Index of a register on the scoreboard.
+pub type BoardEntry = u8;
+/// The entry of what is always ready.
+pub const READY: BoardEntry = 0;
+/// Written for results that need no entry.
+pub const SINK: BoardEntry = 1;
+/// Entries of a scoreboard in memory: as many as an index can have, so that none needs a check. The first are used.
+pub const BOARD_ENTRIES: usize = 1 << BoardEntry::BITS;
+
+/// The registers of an operation.
+#[derive(Clone, Debug)]
+pub struct Accesses {
+    pub reads: Vec<Register>,
+    pub writes: Vec<Register>,
+    /// Cycles until what it writes can be used; none for loads.
+    pub latency_cycles: Option<u32>,
+}
+
+/// The operations from one entry point to the next.
+#[derive(Clone, Debug)]
+pub struct Stretch {
+    pub from: EntryId,
+    pub to: Option<EntryId>,
+    pub operations: Vec<Accesses>,
+}
+
+/// For each register, the greatest number of cycles by which it may be later than the next operation's operands.
+type Lateness = [u32; REGISTERS];
+/// Of a loaded register.
+const UNBOUNDED: u32 = u32::MAX;
+
+/// Which registers of a program are on the scoreboard, and who looks at them.
+#[derive(Clone, Debug)]
+pub struct Scoreboard {
+    /// By stretch and operation, the registers that it can find not to be ready.
+    pub waits: Vec<Vec<Vec<Register>>>,
+    entry_of: [BoardEntry; REGISTERS],
+}
+
+impl Scoreboard {
+    /// That of a program with these stretches between so many entry points.
+    pub fn new(stretches: &[Stretch], entries: usize) -> Self {
+        // At entry points; grows until it holds for all ways that lead there.
+        let mut late: Vec<Lateness> = vec![[0; REGISTERS]; entries];
+        loop {
+            let before = late.clone();
+            for stretch in stretches {
+                let mut here = late[usize::from(stretch.from)];
+                go_through(stretch, &mut here);
+                if let Some(to) = stretch.to {
+                    let there = &mut late[usize::from(to)];
+                    there.iter_mut().zip(here).for_each(|(there, here)| *there = here.max(*there));
+                }
+            }
+            if late == before {
+                break;
+            }
+        }
+        let waits_of = |stretch: &Stretch| go_through(stretch, &mut late[usize::from(stretch.from)].clone());
+        let waits: Vec<Vec<Vec<Register>>> = stretches.iter().map(waits_of).collect();
+        let mut entry_of = [SINK; REGISTERS];
+        entry_of[usize::from(ZERO)] = READY;
+        let mut next = SINK + 1;
+        for &register in waits.iter().flatten().flatten() {
+            let entry = &mut entry_of[usize::from(register)];
+            if *entry == SINK {
+                *entry = next;
+                next += 1;
+            }
+        }
+        Self { waits, entry_of }
+    }
+
+    /// The entry of `register`, [`SINK`] if nobody ever waits for it.
+    pub fn entry(&self, register: Register) -> BoardEntry {
+        self.entry_of[usize::from(register)]
+    }
+}
+
+/// Goes through `stretch` from where registers are so `late`: what each operation can find not to be ready.
+fn go_through(stretch: &Stretch, late: &mut Lateness) -> Vec<Vec<Register>> {
+    let waits = |operation: &Accesses| {
+        let mut waits = operation.reads.clone();
+        waits.retain(|register| late[usize::from(*register)] > 0);
+        step(late, operation);
+        waits
+    };
+    stretch.operations.iter().map(waits).collect()
+}
+
+/// `operation` is issued, at the earliest in the cycle that `late` counts from; the next one follows a cycle later.
+fn step(late: &mut Lateness, operation: &Accesses) {
+    for &register in &operation.reads {
+        late[usize::from(register)] = 0;
+    }
+    for cycles in late.iter_mut().filter(|cycles| **cycles != UNBOUNDED) {
+        *cycles = cycles.saturating_sub(1);
+    }
+    for &register in operation.writes.iter().filter(|register| **register != ZERO) {
+        let cycles = &mut late[usize::from(register)];
+        *cycles = match operation.latency_cycles {
+            None => UNBOUNDED,
+            Some(_) if *cycles == UNBOUNDED => UNBOUNDED,
+            Some(latency) => latency - 1,
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn accesses(reads: &[Register], write: Register, latency_cycles: Option<u32>) -> Accesses {
+        Accesses { reads: reads.to_vec(), writes: vec![write], latency_cycles }
+    }
+
+    /// What operations wait for; the first stretch comes first, and both lead to the second.
+    fn waits(stretches: [Vec<Accesses>; 2]) -> [Vec<Vec<Register>>; 2] {
+        let [first, second] = stretches;
+        let stretches =
+            [(0, first), (1, second)].map(|(from, operations)| Stretch { from, to: Some(1), operations });
+        let board = Scoreboard::new(&stretches, 2);
+        [0, 1].map(|stretch| board.waits[stretch].clone())
+    }
+
+    fn three() -> Accesses {
+        accesses(&[], 5, Some(3))
+    }
+
+    fn use_it() -> Accesses {
+        accesses(&[5, 6], 7, Some(1))
+    }
+
+    fn other() -> Accesses {
+        accesses(&[6], 8, Some(1))
+    }
+
+    #[test]
+    fn results_are_waited_for_until_their_latency_has_passed() {
+        let [first, second] = waits([vec![three(), other(), use_it(), use_it()], vec![three()]]);
+        // The second use need not look.
+        assert_eq!((first, second), (vec![vec![], vec![], vec![5], vec![]], vec![vec![]]));
+        // Nor one that comes a cycle later.
+        let [first, _] = waits([vec![three(), other(), other(), use_it()], vec![]]);
+        assert_eq!(first, vec![vec![0; 0]; 4]);
+    }
+
+    #[test]
+    fn what_comes_late_is_late_behind_an_entry_point_too_on_whatever_way() {
+        let two = || accesses(&[], 5, Some(2));
+        let [_, second] = waits([vec![two()], vec![use_it()]]);
+        assert_eq!(second, [[5]]);
+        // From its own end, the register is ready, unless it was written last.
+        let [_, second] = waits([vec![], vec![use_it(), accesses(&[], 5, Some(1))]]);
+        assert_eq!(second, vec![vec![0; 0]; 2]);
+        let [_, second] = waits([vec![], vec![use_it(), two()]]);
+        assert_eq!(second, [vec![5], vec![]]);
+    }
+
+    #[test]
+    fn loads_are_waited_for_even_if_their_register_was_written_again() {
+        let load = accesses(&[], 5, None);
+        let write = accesses(&[], 5, Some(1));
+        let [first, second] = waits([vec![load, write, other()], vec![use_it(), use_it()]]);
+        assert_eq!((first.concat(), second), (vec![], vec![vec![5], vec![]]));
+    }
+
+    #[test]
+    fn only_registers_that_are_waited_for_have_an_entry() {
+        let operations =
+            vec![accesses(&[], 9, None), accesses(&[9, ZERO], 7, Some(1)), accesses(&[7], 8, Some(1))];
+        let board = Scoreboard::new(&[Stretch { from: 0, to: None, operations }], 1);
+        assert_eq!([ZERO, 7, 8, 9].map(|register| board.entry(register)), [READY, SINK, SINK, SINK + 1]);
+        assert_eq!(board.waits[0][1], [9]);
+    }
+}
