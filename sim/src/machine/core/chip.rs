@@ -47,6 +47,8 @@ pub struct Counts {
 /// A multiprocessor with what its threads are at.
 struct Seat {
     tm: Tm,
+    /// Its partition.
+    partition: usize,
     /// The item that each thread has got from the counter.
     items: Vec<u32>,
     /// Times that each run was recorded.
@@ -128,6 +130,7 @@ pub fn simulate_plan<W: Work>(
         seats: (0..tms as u16)
             .map(|tm| Seat {
                 tm: Tm::new(tm, machine),
+                partition: usize::from(tm) / machine.chip.tms_per_partition as usize,
                 items: vec![0; machine.tm.threads as usize],
                 runs: vec![0; program.code.runs.len()],
             })
@@ -246,12 +249,11 @@ impl<W: Work> Chip<'_, W> {
     fn quantum(&mut self) {
         let (start, end) = (self.now, self.now + self.length);
         self.dram.advance(start);
-        let per_partition = self.machine.chip.tms_per_partition as usize;
         let (seats, l2s) = (&mut self.seats, &mut self.l2s);
         self.dram.announce(start, |arrival| {
-            let tm = usize::from(arrival.requester.tm);
-            l2s[tm / per_partition].arrives(arrival.line, arrival.cycle);
-            seats[tm].tm.arrives(arrival.line, arrival.cycle);
+            let seat = &mut seats[usize::from(arrival.requester.tm)];
+            l2s[seat.partition].arrives(arrival.line, arrival.cycle);
+            seat.tm.arrives(arrival.line, arrival.cycle);
         });
         self.l2s.iter_mut().for_each(|l2| l2.begin(start));
         let (program, work, no_more) = (self.program, self.work, self.no_more);
@@ -327,8 +329,8 @@ impl<W: Work> Chip<'_, W> {
                 continue;
             }
             let number = item as usize % self.seats.len();
-            let l1 = &mut self.seats[number].tm.l1;
-            let l2 = &mut self.l2s[number / self.machine.chip.tms_per_partition as usize];
+            let seat = &mut self.seats[number];
+            let (l1, l2) = (&mut seat.tm.l1, &mut self.l2s[seat.partition]);
             loads(self.program, &words, |word| {
                 let line = word >> self.line_shift;
                 if !l1.warm(line) {

@@ -105,24 +105,47 @@ impl L1 {
         Some(now + self.latency_cycles)
     }
 
-    /// A load of `address` in cycle `now`, which is `slot` of the quantum.
-    pub fn load(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
-        if self.asked[slot] & self.bank(address) != 0 {
-            return Access::Ask;
+    /// A load of `address` in the first of `slots` of the quantum that begins at cycle `start` in which it is not refused; in
+    /// the end it still is. That slot comes back, too.
+    pub fn load(
+        &mut self,
+        start: u32,
+        slots: std::ops::Range<usize>,
+        address: u32,
+        target: Target<'_>,
+    ) -> (Access, usize) {
+        let bank = self.bank(address);
+        let end = slots.end;
+        for slot in slots {
+            if self.asked[slot] & bank != 0 {
+                return (Access::Ask, slot);
+            }
+            if self.is_taken(slot, address) {
+                self.counts.bank_conflicts += 1;
+                continue;
+            }
+            let access = self.find(start + slot as u32, slot, address, target);
+            if access == Access::Ask {
+                self.asked[slot] |= bank;
+            }
+            return (access, slot);
         }
-        let access = self.load_now(now, slot, address, target);
-        if access == Access::Ask {
-            self.asked[slot] |= self.bank(address);
-        }
-        access
+        (Access::Refused, end)
     }
 
-    /// [`L1::load`] after all earlier requests to the chip have been served.
+    /// A load of `address` in cycle `now`, which is `slot` of the quantum, after all earlier requests to the chip have been
+    /// served.
     pub fn load_now(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         if self.is_taken(slot, address) {
             self.counts.bank_conflicts += 1;
             return Access::Refused;
         }
+        self.find(now, slot, address, target)
+    }
+
+    /// A load whose bank is free.
+    #[inline(always)]
+    fn find(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         let bank = self.bank(address);
         let line = address >> self.line_shift;
         if self.lines.holds(now, line) {

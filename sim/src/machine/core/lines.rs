@@ -56,18 +56,27 @@ impl Lines {
     }
 
     /// Whether `line` is held in cycle `now`: what has arrived since the quantum began counts.
+    #[inline(always)]
     pub fn holds(&mut self, now: u32, line: u32) -> bool {
-        if self.next <= now && self.tags.is_enabled() {
-            let arrived = self.arrivals.iter().rev().filter(|(cycle, _)| *cycle <= now);
-            for &(_, other) in arrived {
-                if other == line {
-                    return true;
-                }
-                if self.tags.compete(other, line) {
-                    return false;
-                }
+        if now < self.next || !self.tags.is_enabled() {
+            return self.tags.hit(line);
+        }
+        self.holds_or_has_got(now, line)
+    }
+
+    /// [`Lines::holds`] if something has arrived.
+    fn holds_or_has_got(&mut self, now: u32, line: u32) -> bool {
+        let mut has_got = None;
+        for &(cycle, other) in &self.arrivals {
+            if cycle > now {
+                break;
+            }
+            if other == line {
+                has_got = Some(true);
+            } else if self.tags.compete(other, line) {
+                has_got = Some(false);
             }
         }
-        self.tags.hit(line)
+        has_got.unwrap_or_else(|| self.tags.hit(line))
     }
 }

@@ -90,20 +90,6 @@ fn wait_for(slots: &mut Slots, resource: u8, slot: usize, end: usize, cycles: &m
     next
 }
 
-/// Loads a word from the L1 that may not hold it, in the first slot from `slot` on in which it does not refuse; at the end
-/// of the quantum it still does. That slot comes back, too.
-#[inline(never)]
-fn load(number: u8, op: &MicroOp, address: u32, tables: &mut Tables<'_>, slot: usize) -> (Access, usize) {
-    let target = Target { thread: number, entries: std::slice::from_ref(&op.write) };
-    for slot in slot..tables.length as usize {
-        let access = tables.l1.load(tables.start + slot as u32, slot, address, target);
-        if access != Access::Refused {
-            return (access, slot);
-        }
-    }
-    (Access::Refused, tables.length as usize)
-}
-
 impl Thread {
     /// A thread that fetches from the instruction cache `icache`.
     pub fn new(icache: u8) -> Self {
@@ -147,6 +133,20 @@ impl Thread {
             tables.fetches.give(ops[pc].bank, slot);
         }
         let stop = loop {
+            // Most operations find all that they need.
+            while slot < end {
+                let op = &ops[pc];
+                let (fetches, units) = (tables.fetches.left(op.bank, slot), tables.units.left(op.pool, slot));
+                let now = start + slot as u32;
+                if op.issue != Issue::Plain || *fetches == 0 || *units == 0 || self.late(op) > now {
+                    break;
+                }
+                *fetches -= 1;
+                *units -= 1;
+                self.set_ready(op.write, now + u32::from(op.latency));
+                slot += 1;
+                pc += 1;
+            }
             let op = &ops[pc];
             behind = slot;
             if slot >= end || !tables.fetches.take(op.bank, slot) {
@@ -165,8 +165,7 @@ impl Thread {
                     break Stop::Unfetched;
                 }
             }
-            let [a, b] = op.reads.map(|entry| self.ready[usize::from(entry)]);
-            let (now, ready) = (start + slot as u32, a.max(b));
+            let (now, ready) = (start + slot as u32, self.late(op));
             if ready > now {
                 if ready == UNKNOWN {
                     self.state = State::Parked;
@@ -191,8 +190,9 @@ impl Thread {
                 if let Some(ready) = tables.l1.hit(now, slot, address) {
                     ready
                 } else {
+                    let target = Target { thread: number, entries: std::slice::from_ref(&op.write) };
                     let access;
-                    (access, slot) = load(number, op, address, tables, slot);
+                    (access, slot) = tables.l1.load(start, slot..end, address, target);
                     cycles.memory += u64::from(start + slot as u32 - now);
                     match access {
                         Access::Served(ready) => ready,
@@ -213,6 +213,13 @@ impl Thread {
         self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
         (self.time, self.pc) = (start + slot as u32, pc as u32);
         stop
+    }
+
+    /// Cycle from which on `op` can use the registers that it can find not to be ready, but for further operands.
+    #[inline(always)]
+    fn late(&self, op: &MicroOp) -> u32 {
+        let [a, b] = op.reads;
+        self.ready[usize::from(a)].max(self.ready[usize::from(b)])
     }
 
     /// The register of `entry` can be used from cycle `ready` on.

@@ -228,7 +228,7 @@ impl Tm {
                 let address = thread.address(op);
                 let access = if op.kind == Kind::Load {
                     let entries = thread.targets(program, op, address, self.line_words);
-                    self.l1.load(now, slot, address, Target { thread: number as u8, entries })
+                    self.l1.load(start, slot..slot + 1, address, Target { thread: number as u8, entries }).0
                 } else {
                     self.l1.store(slot, address)
                 };

@@ -89,7 +89,7 @@ impl<W: Work> Chip<'_, W> {
         }
         let seat = &mut self.seats[number];
         let tm = &mut seat.tm;
-        let l2 = &mut self.l2s[number / self.machine.chip.tms_per_partition as usize];
+        let l2 = &mut self.l2s[seat.partition];
         // A line that the L1 did not have is there or under way only after the L1 has asked for another.
         let misses = request.kind == Kind::Load && request.missed == tm.l1.lines_asked;
         if misses && !tm.l1.is_taken(slot, request.address) && !l2.is_free(slot, request.address) {
