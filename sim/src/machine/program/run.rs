@@ -44,9 +44,9 @@ pub struct MicroOp {
     pub kind: Kind,
     /// Bank of the instruction cache; [`NO_BANK`] behind the last operation of a run.
     pub bank: u8,
-    /// Index of the unit pool, see [`pool_of`].
+    /// Index of the unit pool.
     pub pool: u8,
-    /// Entries of the registers that it can find not to be ready; [`READY`] for no further one.
+    /// Entries of the registers that it can find not to be ready; `READY` for no further one.
     pub reads: [BoardEntry; 2],
     /// Entry of the register that it writes.
     pub write: BoardEntry,
@@ -88,7 +88,7 @@ pub struct Operands {
     pub reads: Vec<BoardEntry>,
 }
 
-/// Index of a run in [`super::Program::runs`].
+/// Index of a run in [`super::Code::runs`].
 pub type RunId = u32;
 
 /// Operations from one entry point to the next.
