@@ -47,8 +47,7 @@ impl Asked {
 pub fn record(work: &FrameWork<'_>, batches: &Batches, indices: &[u32], line_words: u32) -> Vec<Asked> {
     let program = &work.program;
     let item = Ends::of(program).later;
-    let runs = 0..program.code.runs.len() as RunId;
-    let lengths: Vec<u64> = runs.map(|run| program.places_of(run).count() as u64).collect();
+    let lengths: Vec<u64> = program.code.runs.iter().map(|run| u64::from(run.length)).collect();
     let batch = |&index: &u32| {
         let mut asked = Asked {
             runs: vec![0; program.code.runs.len()],
@@ -97,8 +96,7 @@ impl Ends {
         let start = program.run(program.entry(START), 0);
         let first = program.code.runs[start as usize].next.expect("a thread takes an item first");
         let runs = 0..program.code.runs.len() as RunId;
-        let counts =
-            |run: &RunId| *run != start && program.places_of(*run).any(|place| place == Place::Counter);
+        let counts = |run: &RunId| *run != start && program.places_of(*run).contains(&Place::Counter);
         let later = runs.filter(counts).find_map(|run| program.code.runs[run as usize].next);
         Self { start, first, later: later.unwrap_or(first) }
     }

@@ -29,16 +29,10 @@ impl Slots {
         self.left[..resources].copy_from_slice(&all.left[..resources]);
     }
 
-    /// How many of `resource` there are to take in `slot`.
-    #[inline(always)]
-    pub fn left(&mut self, resource: u8, slot: usize) -> &mut u8 {
-        &mut self.left[usize::from(resource)][slot]
-    }
-
     /// Takes one of `resource` in `slot`; false if there is none.
     #[inline(always)]
     pub fn take(&mut self, resource: u8, slot: usize) -> bool {
-        let left = self.left(resource, slot);
+        let left = &mut self.left[usize::from(resource)][slot];
         if *left == 0 {
             return false;
         }
@@ -48,7 +42,7 @@ impl Slots {
 
     /// Adds one of `resource` in `slot`.
     pub fn give(&mut self, resource: u8, slot: usize) {
-        let left = self.left(resource, slot);
+        let left = &mut self.left[usize::from(resource)][slot];
         *left = left.saturating_add(1);
     }
 

@@ -124,8 +124,8 @@ impl Thread {
         // So that it is plain that no slot needs a check.
         let end = (tables.length as usize).min(QUANTUM);
         let first = (self.time - start) as usize;
-        // The slot behind that of the last operation issued is where a turn of the loop begins.
         let mut slot = first;
+        // The one behind that of the last operation issued.
         let mut behind;
         let mut pc = self.pc as usize;
         if self.held {
@@ -133,20 +133,6 @@ impl Thread {
             tables.fetches.give(ops[pc].bank, slot);
         }
         let stop = loop {
-            // Most operations find all that they need.
-            while slot < end {
-                let op = &ops[pc];
-                let (fetches, units) = (tables.fetches.left(op.bank, slot), tables.units.left(op.pool, slot));
-                let now = start + slot as u32;
-                if op.issue != Issue::Plain || *fetches == 0 || *units == 0 || self.late(op) > now {
-                    break;
-                }
-                *fetches -= 1;
-                *units -= 1;
-                self.set_ready(op.write, now + u32::from(op.latency));
-                slot += 1;
-                pc += 1;
-            }
             let op = &ops[pc];
             behind = slot;
             if slot >= end || !tables.fetches.take(op.bank, slot) {
@@ -165,7 +151,8 @@ impl Thread {
                     break Stop::Unfetched;
                 }
             }
-            let (now, ready) = (start + slot as u32, self.late(op));
+            let [a, b] = op.reads.map(|entry| self.ready[usize::from(entry)]);
+            let (now, ready) = (start + slot as u32, a.max(b));
             if ready > now {
                 if ready == UNKNOWN {
                     self.state = State::Parked;
@@ -213,13 +200,6 @@ impl Thread {
         self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
         (self.time, self.pc) = (start + slot as u32, pc as u32);
         stop
-    }
-
-    /// Cycle from which on `op` can use the registers that it can find not to be ready, but for further operands.
-    #[inline(always)]
-    fn late(&self, op: &MicroOp) -> u32 {
-        let [a, b] = op.reads;
-        self.ready[usize::from(a)].max(self.ready[usize::from(b)])
     }
 
     /// The register of `entry` can be used from cycle `ready` on.

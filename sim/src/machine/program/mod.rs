@@ -4,21 +4,21 @@
 //! conditions and addresses. From one entry point to the next, conditions determine the path, so each pair of entry point
 //! and conditions becomes one straight run of operations, a [`Run`]. The core executes runs; it never computes.
 
-mod emit;
+mod code;
 mod isa;
 mod listing;
 mod paths;
 mod run;
 mod scoreboard;
 
-pub use emit::Code;
+pub use code::Code;
 pub use isa::Place;
 pub use listing::{Listing, ListingError};
-pub use run::{COUNTER, Issue, Kind, MicroOp, NO_BANK, Operands, PIPELINE, POOLS, Run, RunId, UNLIMITED};
+pub use run::{COUNTER, Issue, Kind, MicroOp, Operands, PIPELINE, POOLS, Run, RunId, UNLIMITED};
 pub use scoreboard::{BOARD_ENTRIES, BoardEntry};
 
 use super::description::MachineDescription;
-use emit::Source;
+use code::Source;
 use listing::Control;
 use paths::{Entry, Paths};
 
@@ -140,11 +140,9 @@ impl Program {
     }
 
     /// Where the instructions of a run execute.
-    pub fn places_of(&self, run: RunId) -> impl Iterator<Item = Place> {
-        let run = &self.code.runs[run as usize];
-        self.code.places[run.first as usize..(run.first + run.length) as usize]
-            .iter()
-            .filter_map(|place| *place)
+    #[must_use]
+    pub fn places_of(&self, run: RunId) -> &[Place] {
+        &self.code.places[run as usize]
     }
 
     /// The operations of a run.

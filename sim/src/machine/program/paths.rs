@@ -1,6 +1,6 @@
 //! Paths through a listing from one entry point to the next, decided by conditions.
 
-use super::emit::Route;
+use super::code::Route;
 use super::listing::{Control, Listing, ListingError};
 use super::{Conditions, EntryId, RunId};
 

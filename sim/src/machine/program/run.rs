@@ -42,7 +42,7 @@ pub struct MicroOp {
     pub issue: Issue,
     /// What else there is to do.
     pub kind: Kind,
-    /// Bank of the instruction cache; [`NO_BANK`] behind the last operation of a run.
+    /// Bank of the instruction cache; `NO_BANK` behind the last operation of a run.
     pub bank: u8,
     /// Index of the unit pool.
     pub pool: u8,
@@ -61,7 +61,7 @@ pub struct MicroOp {
 }
 
 /// The bank behind the last operation of a run: it never has a fetch left.
-pub const NO_BANK: u8 = u8::MAX;
+const NO_BANK: u8 = u8::MAX;
 
 impl MicroOp {
     /// What stands behind the last operation of a run.

@@ -40,7 +40,7 @@ impl Instructions {
     pub fn new(program: &Program, counts: &Counts) -> Self {
         let mut sum = Self::default();
         for (id, &times) in counts.runs.iter().enumerate() {
-            for place in program.places_of(id as u32) {
+            for &place in program.places_of(id as u32) {
                 sum.total += times;
                 match place {
                     Place::Unit(unit) => *sum.units.entry(unit).or_default() += times,

@@ -1,4 +1,4 @@
-//! Makes the operations that the core executes of a listing's instructions.
+//! What a program executes: the operations of its runs, made of a listing's instructions.
 
 use super::EntryId;
 use super::isa::{Place, Register};
@@ -20,8 +20,8 @@ pub struct Route {
 pub struct Code {
     /// Operations of all runs, each run with an [`Issue::End`] behind it.
     pub ops: Vec<MicroOp>,
-    /// Where each of them executes; none for ends.
-    pub places: Vec<Option<Place>>,
+    /// Where the instructions of each run execute.
+    pub places: Vec<Vec<Place>>,
     /// Nops before each of them.
     nops_before: Vec<u32>,
     /// Registers of operations that wait for more than two or write several; the first are those of all others.
@@ -94,11 +94,11 @@ impl Code {
                 (op.base, op.offset) = (slot as u8, *offset as u16);
             }
             self.ops.push(op);
-            self.places.push(Some(instruction.decoded.place));
         }
         let length = self.ops.len() as u32 - first;
         self.ops.push(MicroOp::END);
-        self.places.push(None);
+        let place = |at: &usize| source.listing.instructions[*at].decoded.place;
+        self.places.push(route.instructions.iter().map(place).collect());
         self.runs.push(Run { first, length, bases, next: route.to });
     }
 
