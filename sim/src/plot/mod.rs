@@ -8,6 +8,7 @@
 mod bars;
 mod chart;
 mod legend;
+mod log_scale;
 
 pub use bars::Bars;
 pub use chart::{Axis, Chart, Point, Series, Style};
