@@ -14,8 +14,6 @@ pub struct Axis {
     pub label: String,
     /// Whether the scale is logarithmic; points that are not positive are then left out.
     pub log: bool,
-    /// The range shown; that of the points if absent.
-    pub range: Option<(f64, f64)>,
 }
 
 /// How a series is drawn.
@@ -90,16 +88,13 @@ impl Axis {
 
     /// Where the axis begins and ends.
     fn extent(&self, values: impl Iterator<Item = f64>) -> (f64, f64) {
-        if let Some(range) = self.range {
-            return range;
-        }
         let (low, high) = values
             .filter(|&v| self.shows(v))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
         match (low <= high, self.log) {
             (false, true) => (1.0, 10.0),
             (false, false) => (0.0, 1.0),
-            (true, true) => (low / 1.5, high * 1.5),
+            (true, true) => ((low / 1.5).max(f64::MIN_POSITIVE), (high * 1.5).min(f64::MAX)),
             (true, false) => {
                 // Zero belongs to a scale that comes near it: lengths can then be compared.
                 let low = if low >= 0.0 && low < high / 2.0 { 0.0 } else { low };
@@ -266,6 +261,10 @@ mod tests {
     fn points_that_a_scale_cannot_show_are_left_out() {
         let series =
             Series { name: "a".into(), points: points(&[(1.0, 0.0), (2.0, f64::NAN)]), ..Series::default() };
+        let ends =
+            Series { points: points(&[(1.0, f64::MIN_POSITIVE), (2.0, f64::MAX)]), ..Series::default() };
+        let widest = Chart { y: Axis::log("y"), series: vec![ends], ..Chart::default() };
+        assert!(widest.svg().contains("</svg>"));
         for log in [false, true] {
             let y = Axis { log, ..Axis::linear("y") };
             let chart =

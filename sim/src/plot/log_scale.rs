@@ -10,10 +10,6 @@ pub struct LogScale {
     high: f64,
 }
 
-/// Digits at which each decade has ticks, in the order of preference.
-const DIGITS: [&[u32]; 2] = [&[1, 2, 5], &[1]];
-/// Those of a scale on which the others leave too few.
-const ALL_DIGITS: &[u32] = &[1, 2, 3, 4, 5, 6, 7, 8, 9];
 /// Fewer ticks do not show where values lie.
 const LEAST: usize = 3;
 
@@ -30,29 +26,25 @@ impl LogScale {
     /// At most `most` ticks.
     fn ticks(&self, most: usize) -> Vec<f64> {
         let fits = |ticks: &Vec<f64>| ticks.len() <= most;
-        let found = DIGITS.iter().map(|digits| self.at_digits(digits, 1)).find(fits);
-        let found = found.or_else(|| (2..700).map(|decades| self.at_digits(&[1], decades)).find(fits));
-        let found = found.unwrap_or_default();
+        let all = std::iter::once(self.at_digits([1, 2, 5], 1));
+        // No two numbers are more decades apart.
+        let sparser = (1..=700).map(|decades| self.at_digits([1], decades));
+        let found = all.chain(sparser).find(fits).unwrap_or_default();
         if found.len() >= LEAST {
             return found;
         }
-        let denser = [self.at_digits(ALL_DIGITS, 1), self.at_steps(most)];
+        let denser = [self.at_digits(1..=9, 1), self.at_steps(most)];
         denser.into_iter().find(|ticks| fits(ticks) && ticks.len() >= LEAST).unwrap_or(found)
     }
 
-    fn shows(&self, tick: f64) -> bool {
-        // A tick that is meant to be an end of the scale may be off by rounding.
-        let margin = 1.0 + 1e-9;
-        tick * margin >= self.low && tick <= self.high * margin
-    }
-
-    /// The multiples of every so many `decades` by `digits`.
-    fn at_digits(&self, digits: &[u32], decades: i32) -> Vec<f64> {
+    /// Those `digits` in every so many `decades`.
+    fn at_digits(&self, digits: impl IntoIterator<Item = u32> + Clone, decades: i32) -> Vec<f64> {
         let exponent = |value: f64| value.log10().floor() as i32;
         let all = exponent(self.low)..=exponent(self.high) + 1;
         let powers = all.filter(|exponent| exponent.rem_euclid(decades) == 0);
-        let ticks = powers.flat_map(|exponent| digits.iter().map(move |digit| in_decimal(*digit, exponent)));
-        ticks.filter(|tick| self.shows(*tick)).collect()
+        let ticks = powers
+            .flat_map(|exponent| digits.clone().into_iter().map(move |digit| in_decimal(digit, exponent)));
+        ticks.filter(|tick| (self.low..=self.high).contains(tick)).collect()
     }
 
     /// Ticks at equal distances of 1, 2 or 5 times a power of ten.
@@ -62,7 +54,7 @@ impl LogScale {
         let ticks = |(digit, exponent): (u32, i32)| {
             let step = in_decimal(digit, exponent);
             let (first, last) = ((self.low / step).ceil(), (self.high / step).floor());
-            // A count, so that rounding does not add up; few enough to be counted, as steps are a hundredth of the range or more.
+            // Counted, so that rounding does not add up: a thousand steps at most.
             (0..=(last - first) as usize).map(|n| (first + n as f64) * step).collect::<Vec<_>>()
         };
         steps.map(ticks).find(|ticks| ticks.len() <= most).unwrap_or_default()
@@ -79,7 +71,8 @@ impl Ranged for LogScale {
     type ValueType = f64;
 
     fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
-        let part = (value / self.low).ln() / (self.high / self.low).ln();
+        // Differences of logarithms, as the ratio of numbers may be infinite.
+        let part = (value.ln() - self.low.ln()) / (self.high.ln() - self.low.ln());
         from + (f64::from(to - from) * part).round() as i32
     }
 
@@ -111,8 +104,8 @@ mod tests {
     fn over_many_decades_there_are_powers_of_ten_only_and_then_not_all_of_them() {
         assert_eq!(ticks(0.5, 2e5), [1.0, 10.0, 100.0, 1e3, 1e4, 1e5]);
         assert_eq!(ticks(1e-10, 1e10).len(), 11);
-        for high in [1e30, 1e300] {
-            let ticks = ticks(1e-3, high);
+        for (low, high) in [(1e-3, 1e30), (1e-3, 1e300), (f64::MIN_POSITIVE, f64::MAX)] {
+            let ticks = ticks(low, high);
             assert!((3..=11).contains(&ticks.len()), "{ticks:?}");
         }
     }
@@ -129,5 +122,7 @@ mod tests {
         let scale = LogScale::new(0.1, 1000.0);
         assert_eq!([0.1, 1.0, 10.0, 1000.0].map(|value| scale.map(&value, (0, 400))), [0, 100, 200, 400]);
         assert_eq!([0.1, 1.0, 1000.0].map(|value| scale.map(&value, (400, 0))), [400, 300, 0]);
+        let widest = LogScale::new(f64::MIN_POSITIVE, f64::MAX);
+        assert_eq!([f64::MIN_POSITIVE, f64::MAX].map(|value| widest.map(&value, (0, 400))), [0, 400]);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! [`Bars`] compares quantities, with the exact number beside each bar; [`Chart`] draws points and lines over two axes, with
 //! error bars and labels. Colours are those of Okabe and Ito, which colour-blind readers can tell apart; series differ in
-//! their markers too. Charts that are to be compared are given the same range. Text is drawn by whoever shows the
+//! their markers too. Bars that are to be compared are given the same scale. Text is drawn by whoever shows the
 //! file, so that the bytes do not depend on the machine's fonts.
 
 mod bars;
