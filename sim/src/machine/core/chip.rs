@@ -7,7 +7,7 @@ use super::dram::Dram;
 use super::l2::L2;
 use super::plan::{Noted, Plan, loads};
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
-use super::tm::{QUANTUM, Request, Tm};
+use super::tm::{QUANTUM, Request, Tm, quantum_cycles};
 use super::work::{Tape, Work};
 use crate::machine::description::MachineDescription;
 use crate::machine::program::{Conditions, EntryId, Program, START};
@@ -139,7 +139,7 @@ pub fn simulate_plan<W: Work>(
         dram: Dram::new(&machine.dram),
         next_item: 0,
         now: 0,
-        length: Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32),
+        length: quantum_cycles(machine),
         requests: Default::default(),
         refused: vec![],
         blocked: Blocked::new(machine.dram.channels),

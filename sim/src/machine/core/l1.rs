@@ -93,6 +93,7 @@ impl L1 {
     /// can be used. If not, [`L1::load`] says what becomes of it.
     #[inline(always)]
     pub fn hit(&mut self, now: u32, slot: usize, address: u32) -> Option<u32> {
+        let slot = slot % QUANTUM;
         let bank = self.bank(address);
         if (self.busy[slot] | self.asked[slot]) & bank != 0
             || !self.lines.holds_since(now, address >> self.line_shift)

@@ -6,19 +6,23 @@ use super::tm::QUANTUM;
 #[derive(Clone, Debug)]
 pub struct Slots {
     /// For every index that a byte can be, so that none needs a check; most are never used.
-    left: [[u8; QUANTUM]; RESOURCES],
+    left: [Row; RESOURCES],
 }
 
+/// What is left by slot; nothing behind the quantum.
+type Row = [u8; COLUMNS];
+/// Slots of a table.
+pub const COLUMNS: usize = 2 * QUANTUM;
 const RESOURCES: usize = 1 << u8::BITS;
 /// As many as a multiprocessor cannot exhaust in a cycle.
 pub const ENOUGH: u8 = u8::MAX;
 
 impl Slots {
-    /// `counts` of the first resources in every slot; nothing of the others.
-    pub fn new(counts: &[u8]) -> Self {
-        let mut slots = Self { left: [[0; QUANTUM]; RESOURCES] };
+    /// `counts` of the first resources in every slot of a quantum of `length` cycles; nothing of the others, nor behind it.
+    pub fn new(counts: &[u8], length: usize) -> Self {
+        let mut slots = Self { left: [[0; COLUMNS]; RESOURCES] };
         for (left, &count) in slots.left.iter_mut().zip(counts) {
-            *left = [count; QUANTUM];
+            left[..length].fill(count);
         }
         slots
     }
@@ -50,7 +54,7 @@ impl Slots {
     #[inline]
     pub fn next(&self, resource: u8, slot: usize, end: usize) -> usize {
         let left = &self.left[usize::from(resource)];
-        (slot + 1..end).find(|slot| left[*slot] != 0).unwrap_or(end)
+        (slot + 1..end).find(|slot| left[*slot] != 0).unwrap_or(end) % COLUMNS
     }
 }
 
@@ -60,7 +64,7 @@ mod tests {
 
     #[test]
     fn as_many_are_taken_from_a_slot_as_there_are() {
-        let all = Slots::new(&[0, 2, 1]);
+        let all = Slots::new(&[0, 2, 1], 8);
         let mut slots = all.clone();
         let taken = [3, 3, 3, 4, 7, 7, 7].map(|slot| slots.take(1, slot));
         assert_eq!(taken, [true, true, false, true, true, true, false]);

@@ -73,6 +73,17 @@ fn results_are_used_when_they_are_ready_and_not_a_cycle_before() {
     let step = "DSTSTEP $2, $3, $4, $f1, $f2, $f3, $f4, $5, $f5, $f6";
     assert_eq!(cycles(&[], &format!("{step}\naddu $6, $3, $3")), 9);
     assert_eq!(cycles(&[], &format!("{step}\naddu $6, $7, $7")), 2);
+    // Of several operands that are late, the last one decides.
+    let late = "div.s $f1, $f7, $f7\ndiv.s $f2, $f7, $f7\ndiv.s $f3, $f7, $f7";
+    for (user, from) in [
+        ("add.s $f4, $f1, $f2", 17),
+        ("add.s $f4, $f2, $f1", 17),
+        ("add.s $f4, $f3, $f1", 18),
+        ("DSTSTEP $2, $3, $4, $f1, $f2, $f7, $f7, $5, $f7, $f7", 17),
+        ("DSTSTEP $2, $3, $4, $f7, $f7, $f2, $f1, $5, $f3, $f7", 18),
+    ] {
+        assert_eq!(cycles(&[], &format!("{late}\n{user}")), from + 1, "{user}");
+    }
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use super::l1::{Access, L1, Target};
 use super::outstanding::UNKNOWN;
-use super::slots::Slots;
+use super::slots::{COLUMNS, Slots};
 use super::stats::ThreadCycles;
-use super::tm::QUANTUM;
 use crate::machine::program::{BOARD_ENTRIES, BoardEntry, Issue, MicroOp, Program};
+use std::hint::cold_path;
 
 /// Where a thread is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,7 +70,7 @@ pub enum Stop {
     Unfetched,
     /// The quantum is over, or an operand has no known time.
     Waits,
-    /// The multiprocessor has to issue the operation; it has been fetched, and its first operands are ready.
+    /// The multiprocessor has to issue the operation; it has been fetched, and its first operand is ready.
     Other,
     /// The operation is a load for the chip.
     Asks,
@@ -78,16 +78,13 @@ pub enum Stop {
     Over,
 }
 
-/// Takes one of `resource` in the first slot behind `slot` in which there is one, and counts the cycles until then; that slot,
-/// or the end of the quantum.
+/// Takes one of `resource` in the first slot behind `slot` in which there is one, and counts the cycles until then; none if
+/// there is none before `end`.
 #[cold]
-fn wait_for(slots: &mut Slots, resource: u8, slot: usize, end: usize, cycles: &mut u64) -> usize {
+fn wait_for(slots: &mut Slots, resource: u8, slot: usize, end: usize, cycles: &mut u64) -> Option<usize> {
     let next = slots.next(resource, slot, end);
-    if next < end {
-        slots.take(resource, next);
-    }
     *cycles += (next - slot) as u64;
-    next
+    slots.take(resource, next).then_some(next)
 }
 
 impl Thread {
@@ -120,86 +117,120 @@ impl Thread {
         cycles: &mut ThreadCycles,
     ) -> Stop {
         let ops = &program.code.ops[..];
-        let start = tables.start;
-        // So that it is plain that no slot needs a check.
-        let end = (tables.length as usize).min(QUANTUM);
-        let first = (self.time - start) as usize;
+        let (start, end) = (tables.start, tables.start + tables.length);
+        let slots = tables.length as usize;
+        let first = (self.time - start) as usize % COLUMNS;
         let mut slot = first;
         // The one behind that of the last operation issued.
         let mut behind;
-        let mut pc = self.pc as usize;
+        let mut rest = &ops[self.pc as usize..];
         if self.held {
             // It brings its fetch along.
-            tables.fetches.give(ops[pc].bank, slot);
+            tables.fetches.give(rest[0].bank, slot);
         }
         let stop = loop {
-            let op = &ops[pc];
+            let [op, next @ ..] = rest else { unreachable!("behind every run stands its end") };
             behind = slot;
-            if slot >= end || !tables.fetches.take(op.bank, slot) {
+            if !tables.fetches.take(op.bank, slot) {
+                cold_path();
                 if op.issue == Issue::End {
-                    self.pc = pc as u32;
+                    self.pc = (ops.len() - rest.len()) as u32;
                     if !self.advance(program, cycles) {
+                        self.time = start + slot as u32;
                         break Stop::Over;
                     }
-                    pc = self.pc as usize;
+                    rest = &ops[self.pc as usize..];
                     continue;
                 }
-                if slot < end {
-                    slot = wait_for(tables.fetches, op.bank, slot, end, &mut cycles.fetch);
-                }
-                if slot >= end {
+                let waits = slot < slots;
+                let next = waits
+                    .then(|| wait_for(tables.fetches, op.bank, slot, slots, &mut cycles.fetch))
+                    .flatten();
+                let Some(next) = next else {
+                    self.time = end;
                     break Stop::Unfetched;
-                }
+                };
+                slot = next;
             }
-            let [a, b] = op.reads.map(|entry| self.ready[usize::from(entry)]);
-            let (now, ready) = (start + slot as u32, a.max(b));
+            let mut now = start + slot as u32;
+            let ready = self.ready[usize::from(op.reads[0])];
             if ready > now {
-                if ready == UNKNOWN {
-                    self.state = State::Parked;
+                cold_path();
+                if !self.is_ready_by(now, ready, end, cycles) {
                     break Stop::Waits;
                 }
-                cycles.data += u64::from(ready - now);
-                slot = (ready - start) as usize;
-                if slot >= end {
-                    break Stop::Waits;
-                }
+                now = ready;
+                slot = (now - start) as usize % COLUMNS;
             }
             let ready = if op.issue == Issue::Plain {
                 if !tables.units.take(op.pool, slot) {
-                    slot = wait_for(tables.units, op.pool, slot, end, &mut cycles.units);
-                    if slot >= end {
+                    cold_path();
+                    let Some(next) = wait_for(tables.units, op.pool, slot, slots, &mut cycles.units) else {
+                        self.time = end;
                         break Stop::Waits;
-                    }
+                    };
+                    (slot, now) = (next, start + next as u32);
                 }
-                start + slot as u32 + u32::from(op.latency)
+                now + u32::from(op.latency)
             } else if op.issue == Issue::Load {
-                let (now, address) = (start + slot as u32, self.word(op));
+                let address = self.word(op);
                 if let Some(ready) = tables.l1.hit(now, slot, address) {
                     ready
                 } else {
+                    cold_path();
                     let target = Target { thread: number, entries: std::slice::from_ref(&op.write) };
                     let access;
-                    (access, slot) = tables.l1.load(start, slot..end, address, target);
-                    cycles.memory += u64::from(start + slot as u32 - now);
+                    (access, slot) = tables.l1.load(start, slot..slots, address, target);
+                    slot %= COLUMNS;
+                    self.time = start + slot as u32;
+                    cycles.memory += u64::from(self.time - now);
                     match access {
                         Access::Served(ready) => ready,
                         Access::Ask => break Stop::Asks,
                         Access::Refused => break Stop::Waits,
                     }
                 }
+            } else if op.issue == Issue::Pair {
+                cold_path();
+                let ready = self.ready[usize::from(op.reads[1])];
+                if ready > now {
+                    if !self.is_ready_by(now, ready, end, cycles) {
+                        break Stop::Waits;
+                    }
+                    now = ready;
+                    slot = (now - start) as usize % COLUMNS;
+                }
+                if !tables.units.take(op.pool, slot) {
+                    cold_path();
+                    let Some(next) = wait_for(tables.units, op.pool, slot, slots, &mut cycles.units) else {
+                        self.time = end;
+                        break Stop::Waits;
+                    };
+                    (slot, now) = (next, start + next as u32);
+                }
+                now + u32::from(op.latency)
             } else {
+                cold_path();
+                self.time = now;
                 break Stop::Other;
             };
             self.set_ready(op.write, ready);
-            slot += 1;
-            pc += 1;
+            slot = (slot + 1) % COLUMNS;
+            rest = next;
         };
         if behind != first {
             self.last_issue = start + behind as u32 - 1;
         }
         self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
-        (self.time, self.pc) = (start + slot as u32, pc as u32);
+        self.pc = (ops.len() - rest.len()) as u32;
         stop
+    }
+
+    /// Waits from cycle `now` until `ready` for an operand; whether that is known and before cycle `end`.
+    #[cold]
+    fn is_ready_by(&mut self, now: u32, ready: u32, end: u32, cycles: &mut ThreadCycles) -> bool {
+        self.time = now;
+        self.waits(ready, cycles) && ready < end
     }
 
     /// The register of `entry` can be used from cycle `ready` on.

@@ -9,6 +9,7 @@
 //! until the chip has served it, then catches up. A quantum is not longer than the time that memory takes, so
 //! that nothing asked for within a quantum arrives from there within it.
 
+use super::dram::Dram;
 use super::l1::{Access, L1, Target};
 use super::outstanding::Waiter;
 use super::slots::{self, Slots};
@@ -20,6 +21,12 @@ use crate::unit_costs::Unit;
 
 /// Most cycles of a quantum.
 pub const QUANTUM: usize = 8;
+
+/// Cycles of a machine's quantum.
+pub fn quantum_cycles(machine: &MachineDescription) -> u32 {
+    Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32)
+}
+
 /// What a thread asks of the rest of the chip.
 #[derive(Clone, Copy, Debug)]
 pub struct Request {
@@ -82,10 +89,11 @@ impl Tm {
         units[usize::from(UNLIMITED)] = slots::ENOUGH;
         units[usize::from(PIPELINE)] = 1;
         units[usize::from(COUNTER)] = 1;
-        let all_units = Slots::new(&units);
+        let length = quantum_cycles(machine) as usize;
+        let all_units = Slots::new(&units, length);
         let icache = &machine.icache;
         let icache_banks = icache.banks as usize;
-        let all_fetches = Slots::new(&vec![icache.fetches_per_bank as u8; icache_banks]);
+        let all_fetches = Slots::new(&vec![icache.fetches_per_bank as u8; icache_banks], length);
         let threads = (0..machine.tm.threads).map(|number| Thread::new((number % icache.caches) as u8));
         Self {
             number,
@@ -149,8 +157,13 @@ impl Tm {
         // Of several, the first.
         let first = running.min_by_key(|(_, thread)| thread.last_issue).map_or(0, |(number, _)| number);
         let count = self.threads.len();
-        for at in first..first + count {
-            self.run_inline(program, if at < count { at } else { at - count }, start, end);
+        let mut number = first;
+        for _ in 0..count {
+            self.run_inline(program, number, start, end);
+            number += 1;
+            if number == count {
+                number = 0;
+            }
         }
     }
 

@@ -24,7 +24,7 @@ pub struct Code {
     pub places: Vec<Vec<Place>>,
     /// Nops before each of them.
     nops_before: Vec<u32>,
-    /// Registers of operations that wait for more than two or write several; the first are those of all others.
+    /// Registers of operations that wait for many or write several; the first are those of all others.
     pub operands: Vec<Operands>,
     /// All runs.
     pub runs: Vec<Run>,
@@ -110,19 +110,6 @@ impl Code {
         board: &Scoreboard,
     ) -> MicroOp {
         let decoded = &instruction.decoded;
-        let entries = |registers: &[Register]| registers.iter().map(|r| board.entry(*r)).collect();
-        let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&decoded.writes));
-        let write = writes.first().copied().unwrap_or(SINK);
-        let mut reads = [READY; 2];
-        reads.iter_mut().zip(&waits).for_each(|(slot, waits)| *slot = *waits);
-        let further = Operands {
-            writes: if writes.len() > 1 { writes } else { vec![] },
-            reads: waits.get(reads.len()..).unwrap_or_default().to_vec(),
-        };
-        let operands = self.operands.iter().position(|known| *known == further).unwrap_or_else(|| {
-            self.operands.push(further);
-            self.operands.len() - 1
-        });
         let kind = match decoded.place {
             Place::Nop => Kind::Nop,
             Place::Load => Kind::Load,
@@ -130,8 +117,24 @@ impl Code {
             Place::Counter => Kind::Counter,
             _ => Kind::Plain,
         };
+        let entries = |registers: &[Register]| registers.iter().map(|r| board.entry(*r)).collect();
+        let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&decoded.writes));
+        let write = writes.first().copied().unwrap_or(SINK);
+        let mut reads = [READY; 2];
+        let is_pair = kind == Kind::Plain && waits.len() == 2 && writes.len() < 2;
+        let own = if is_pair { 2 } else { 1 };
+        reads.iter_mut().zip(waits.iter().take(own)).for_each(|(slot, waits)| *slot = *waits);
+        let further = Operands {
+            writes: if writes.len() > 1 { writes } else { vec![] },
+            reads: waits.get(own..).unwrap_or_default().to_vec(),
+        };
+        let operands = self.operands.iter().position(|known| *known == further).unwrap_or_else(|| {
+            self.operands.push(further);
+            self.operands.len() - 1
+        });
         let issue = match kind {
             _ if operands != 0 => Issue::Other,
+            _ if is_pair => Issue::Pair,
             Kind::Plain | Kind::Nop => Issue::Plain,
             Kind::Load => Issue::Load,
             Kind::Store | Kind::Counter => Issue::Other,

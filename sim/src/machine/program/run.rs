@@ -24,10 +24,12 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Issue {
-    /// The thread: waiting for its operands and its unit and writing its result is all there is to do.
+    /// The thread: waiting for an operand and its unit and writing its result is all there is to do.
     Plain,
     /// The thread, with the L1: a load of one word.
     Load,
+    /// The thread, like a plain one that waits for a second operand.
+    Pair,
     /// The multiprocessor.
     Other,
     /// Nobody: it stands behind the last operation of a run.
@@ -46,7 +48,7 @@ pub struct MicroOp {
     pub bank: u8,
     /// Index of the unit pool.
     pub pool: u8,
-    /// Entries of the registers that it can find not to be ready; `READY` for no further one.
+    /// Entries of the registers that it can find not to be ready, `READY` for none; only [`Issue::Pair`] has a second.
     pub reads: [BoardEntry; 2],
     /// Entry of the register that it writes.
     pub write: BoardEntry,
@@ -84,7 +86,7 @@ impl MicroOp {
 pub struct Operands {
     /// All registers written, where there are several.
     pub writes: Vec<BoardEntry>,
-    /// Registers that it can find not to be ready, beyond the first two.
+    /// Registers that it can find not to be ready, beyond these.
     pub reads: Vec<BoardEntry>,
 }
 
