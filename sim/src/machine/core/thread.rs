@@ -131,6 +131,7 @@ impl Thread {
         let stop = loop {
             let [op, next @ ..] = rest else { unreachable!("behind every run stands its end") };
             behind = slot;
+            // There is none behind the quantum, nor for what stands behind a run.
             if !tables.fetches.take(op.bank, slot) {
                 cold_path();
                 if op.issue == Issue::End {
@@ -191,6 +192,7 @@ impl Thread {
                     }
                 }
             } else if op.issue == Issue::Pair {
+                // Apart from plain ones, so that those need not look whether there is a second operand.
                 cold_path();
                 let ready = self.ready[usize::from(op.reads[1])];
                 if ready > now {
