@@ -79,6 +79,8 @@ struct Chip<'a, W> {
     now: u32,
     /// Cycles of a quantum.
     length: u32,
+    /// Threads of the host.
+    host_threads: usize,
     /// What is asked of the chip, by slot of the quantum.
     requests: [Vec<Request>; QUANTUM],
     /// Room for what is refused.
@@ -140,6 +142,7 @@ pub fn simulate_plan<W: Work>(
         next_item: 0,
         now: 0,
         length: quantum_cycles(machine),
+        host_threads: rayon::current_num_threads(),
         requests: Default::default(),
         refused: vec![],
         blocked: Blocked::new(machine.dram.channels),
@@ -181,7 +184,20 @@ impl Seat {
     }
 
     /// Gives new tapes to the threads that need them and lets them catch up.
+    #[inline(always)]
     fn change_tapes<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, quantum: [u32; 2]) {
+        if !self.tm.ended.is_empty() {
+            self.change_tapes_of_ended(program, work, no_more, quantum);
+        }
+    }
+
+    fn change_tapes_of_ended<W: Work>(
+        &mut self,
+        program: &Program,
+        work: &W,
+        no_more: Conditions,
+        quantum: [u32; 2],
+    ) {
         while let Some(thread) = self.tm.ended.pop() {
             let thread = usize::from(thread);
             self.change_tape(program, work, no_more, thread);
@@ -237,7 +253,7 @@ impl<W: Work> Chip<'_, W> {
 
     /// Does `step` for every multiprocessor; they do not depend on each other.
     fn each(&mut self, step: impl Fn(&mut Seat) + Sync + Send) {
-        let threads = rayon::current_num_threads();
+        let threads = self.host_threads;
         if self.seats.len() >= PARALLEL_TMS && threads > 1 {
             let share = self.seats.len().div_ceil(4 * threads).max(PARALLEL_TMS / 2);
             self.seats.par_iter_mut().with_min_len(share).for_each(step);
@@ -306,7 +322,7 @@ impl<W: Work> Chip<'_, W> {
             let mut noted = Noted { cycles: now, dram: self.dram.counts(now), ..Noted::default() };
             for seat in &self.seats {
                 noted.thread_cycles.merge(&seat.tm.thread_cycles(self.program));
-                noted.l1.merge(&seat.tm.l1.counts);
+                noted.l1.merge(&seat.tm.l1.counts());
             }
             self.l2s.iter().for_each(|l2| noted.l2.merge(&l2.counts));
             self.noted.push(noted);
@@ -346,7 +362,7 @@ impl<W: Work> Chip<'_, W> {
         for seat in &mut self.seats {
             seat.tm.finish(self.program, cycles);
             counts.thread_cycles.merge(&seat.tm.thread_cycles(self.program));
-            counts.l1.merge(&seat.tm.l1.counts);
+            counts.l1.merge(&seat.tm.l1.counts());
             counts.runs.iter_mut().zip(&seat.runs).for_each(|(sum, times)| *sum += times);
         }
         self.l2s.iter().for_each(|l2| counts.l2.merge(&l2.counts));

@@ -1,5 +1,6 @@
 //! The first-level cache of a multiprocessor.
 
+use super::banks::Banks;
 use super::lines::Lines;
 use super::outstanding::{Outstanding, UNKNOWN, Waiter};
 use super::stats::CacheCounts;
@@ -14,17 +15,16 @@ pub struct L1 {
     enabled: bool,
     /// Cycles from its lines to a register; none where there is no L1.
     pub latency_cycles: u32,
-    bank_mask: u32,
     line_shift: u32,
-    /// Banks that are taken, by slot.
-    busy: [u64; QUANTUM],
-    /// Banks that a request to the chip takes if it is served, by slot.
-    asked: [u64; QUANTUM],
+    /// Banks that are taken.
+    busy: Banks,
+    /// Banks that a request to the chip takes if it is served.
+    asked: Banks,
     outstanding: Outstanding,
     /// Lines that the chip has been asked for.
     pub lines_asked: u32,
-    /// What happened.
-    pub counts: CacheCounts,
+    /// What happened; `loads` leaves out the hits.
+    counts: CacheCounts,
 }
 
 /// Where the words of a load go.
@@ -54,10 +54,9 @@ impl L1 {
             lines: Lines::new(cache),
             enabled: cache.enabled,
             latency_cycles: if cache.enabled { cache.latency_cycles } else { 0 },
-            bank_mask: cache.banks - 1,
             line_shift: cache.line_words().trailing_zeros(),
-            busy: [0; QUANTUM],
-            asked: [0; QUANTUM],
+            busy: Banks::new(cache.banks),
+            asked: Banks::new(cache.banks),
             outstanding: Outstanding::default(),
             lines_asked: 0,
             counts: CacheCounts::default(),
@@ -67,10 +66,15 @@ impl L1 {
     /// Begins the quantum at cycle `start`: what has arrived by then is filled.
     #[inline]
     pub fn begin(&mut self, start: u32) {
-        self.busy = [0; QUANTUM];
-        self.asked = [0; QUANTUM];
+        self.busy.clear();
+        self.asked.clear();
         let outstanding = &mut self.outstanding;
         self.lines.begin(start, |line, arrival| outstanding.remove_arrived(line, arrival));
+    }
+
+    /// What happened so far.
+    pub fn counts(&self) -> CacheCounts {
+        CacheCounts { loads: self.counts.loads + self.counts.hits, ..self.counts }
     }
 
     /// Holds `line` from now on, in no time; whether it did before.
@@ -78,31 +82,22 @@ impl L1 {
         self.lines.warm(line)
     }
 
-    #[inline(always)]
-    fn bank(&self, address: u32) -> u64 {
-        1 << (address & self.bank_mask)
-    }
-
     /// Whether the bank of `address` is taken in slot `slot`.
     #[inline(always)]
     pub fn is_taken(&self, slot: usize, address: u32) -> bool {
-        self.enabled && self.busy[slot] & self.bank(address) != 0
+        self.enabled && self.busy.is_taken(slot, address)
     }
 
     /// A load of `address` in cycle `now`, which is `slot` of the quantum, if it is a hit: the cycle from which on the data
     /// can be used. If not, [`L1::load`] says what becomes of it.
     #[inline(always)]
     pub fn hit(&mut self, now: u32, slot: usize, address: u32) -> Option<u32> {
-        let slot = slot % QUANTUM;
-        let bank = self.bank(address);
-        if (self.busy[slot] | self.asked[slot]) & bank != 0
-            || !self.lines.holds_since(now, address >> self.line_shift)
-        {
+        let taken = self.busy.slots(address) | self.asked.slots(address);
+        if taken >> (slot % QUANTUM) & 1 != 0 || !self.lines.holds_since(now, address >> self.line_shift) {
             return None;
         }
-        self.counts.loads += 1;
         self.counts.hits += 1;
-        self.busy[slot] |= bank;
+        self.busy.take(slot, address);
         Some(now + self.latency_cycles)
     }
 
@@ -115,23 +110,23 @@ impl L1 {
         address: u32,
         target: Target<'_>,
     ) -> (Access, usize) {
-        let bank = self.bank(address);
-        let end = slots.end;
-        for slot in slots {
-            if self.asked[slot] & bank != 0 {
-                return (Access::Ask, slot);
-            }
-            if self.is_taken(slot, address) {
-                self.counts.bank_conflicts += 1;
-                continue;
-            }
-            let access = self.find(start + slot as u32, slot, address, target);
-            if access == Access::Ask {
-                self.asked[slot] |= bank;
-            }
-            return (access, slot);
+        let asked = self.asked.slots(address);
+        let busy = if self.enabled { self.busy.slots(address) } else { 0 };
+        // Behind the quantum it is not refused, so that there is a slot.
+        let open = u32::from(asked | !busy) | 1 << QUANTUM;
+        let slot = (slots.start + (open >> slots.start).trailing_zeros() as usize).min(slots.end);
+        self.counts.bank_conflicts += (slot - slots.start) as u64;
+        if slot == slots.end {
+            return (Access::Refused, slot);
         }
-        (Access::Refused, end)
+        if self.asked.is_taken(slot, address) {
+            return (Access::Ask, slot);
+        }
+        let access = self.find(start + slot as u32, slot, address, target);
+        if access == Access::Ask {
+            self.asked.take(slot, address);
+        }
+        (access, slot)
     }
 
     /// A load of `address` in cycle `now`, which is `slot` of the quantum, after all earlier requests to the chip have been
@@ -147,19 +142,17 @@ impl L1 {
     /// A load whose bank is free.
     #[inline(always)]
     fn find(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
-        let bank = self.bank(address);
         let line = address >> self.line_shift;
         if self.lines.holds(now, line) {
-            self.counts.loads += 1;
             self.counts.hits += 1;
-            self.busy[slot] |= bank;
+            self.busy.take(slot, address);
             return Access::Served(now + self.latency_cycles);
         }
         match self.outstanding.arrival(line) {
             Some(arrival) if arrival > now => {
                 self.counts.loads += 1;
                 self.counts.joined += 1;
-                self.busy[slot] |= bank;
+                self.busy.take(slot, address);
                 if arrival == UNKNOWN {
                     self.wait(line, target);
                     return Access::Served(UNKNOWN);
@@ -181,11 +174,10 @@ impl L1 {
     /// A store to `address` in slot `slot`: refused, or to be passed on to the chip.
     #[inline(always)]
     pub fn store(&mut self, slot: usize, address: u32) -> Access {
-        let bank = self.bank(address);
-        if self.asked[slot] & bank == 0 && self.store_now(slot, address) == Access::Refused {
+        if !self.asked.is_taken(slot, address) && self.store_now(slot, address) == Access::Refused {
             return Access::Refused;
         }
-        self.asked[slot] |= bank;
+        self.asked.take(slot, address);
         Access::Ask
     }
 
@@ -204,7 +196,7 @@ impl L1 {
         let line = address >> self.line_shift;
         self.lines_asked += 1;
         self.counts.loads += 1;
-        self.busy[slot] |= self.bank(address);
+        self.busy.take(slot, address);
         self.outstanding.insert(now, line, arrival);
         if arrival == UNKNOWN {
             self.wait(line, target);
@@ -216,7 +208,7 @@ impl L1 {
     /// The chip has taken a store.
     pub fn stored(&mut self, slot: usize, address: u32) {
         self.counts.stores += 1;
-        self.busy[slot] |= self.bank(address);
+        self.busy.take(slot, address);
     }
 
     /// It is known now when `line` arrives; `wake` is called for everyone who waits for it.

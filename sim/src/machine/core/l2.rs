@@ -1,34 +1,28 @@
 //! The second-level cache of a partition.
 
+use super::banks::Banks;
 use super::lines::Lines;
 use super::stats::CacheCounts;
-use super::tm::QUANTUM;
 use crate::machine::description::Cache;
 
 /// A partition's cache.
 #[derive(Clone, Debug)]
 pub struct L2 {
     lines: Lines,
-    bank_mask: u32,
-    /// Banks that are taken, by slot of the quantum.
-    busy: [u64; QUANTUM],
+    /// Banks that are taken.
+    busy: Banks,
     /// What happened.
     pub counts: CacheCounts,
 }
 
 impl L2 {
     pub fn new(cache: &Cache) -> Self {
-        Self {
-            lines: Lines::new(cache),
-            bank_mask: cache.banks - 1,
-            busy: [0; QUANTUM],
-            counts: CacheCounts::default(),
-        }
+        Self { lines: Lines::new(cache), busy: Banks::new(cache.banks), counts: CacheCounts::default() }
     }
 
     /// Begins the quantum at cycle `start`: what has arrived by then is filled.
     pub fn begin(&mut self, start: u32) {
-        self.busy = [0; QUANTUM];
+        self.busy.clear();
         self.lines.begin(start, |_, _| {});
     }
 
@@ -39,7 +33,7 @@ impl L2 {
 
     /// Whether the bank of word `address` is free in slot `slot`.
     pub fn is_free(&mut self, slot: usize, address: u32) -> bool {
-        let free = self.busy[slot] & self.bank(address) == 0;
+        let free = !self.busy.is_taken(slot, address);
         if !free {
             self.counts.bank_conflicts += 1;
         }
@@ -48,11 +42,7 @@ impl L2 {
 
     /// Takes the bank of word `address` in slot `slot`, for an access that is served.
     pub fn take(&mut self, slot: usize, address: u32) {
-        self.busy[slot] |= self.bank(address);
-    }
-
-    fn bank(&self, address: u32) -> u64 {
-        1 << (address & self.bank_mask)
+        self.busy.take(slot, address);
     }
 
     /// Holds `line` from now on, in no time.

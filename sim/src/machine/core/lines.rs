@@ -2,14 +2,13 @@
 
 use super::tags::Tags;
 use crate::machine::description::Cache;
-use std::collections::VecDeque;
 
 /// Which lines a cache holds from which cycle on.
 #[derive(Clone, Debug)]
 pub struct Lines {
     tags: Tags,
     /// Cycle and line of what arrives, in the order of arrival.
-    arrivals: VecDeque<(u32, u32)>,
+    arrivals: Vec<(u32, u32)>,
     /// Cycle of the first of these.
     next: u32,
 }
@@ -17,19 +16,22 @@ pub struct Lines {
 impl Lines {
     /// An empty cache.
     pub fn new(cache: &Cache) -> Self {
-        Self { tags: Tags::new(cache), arrivals: VecDeque::new(), next: u32::MAX }
+        Self { tags: Tags::new(cache), arrivals: vec![], next: u32::MAX }
     }
 
     /// Begins the quantum at cycle `start`: fills what has arrived by then, and passes line and cycle to `filled`.
     #[inline]
     pub fn begin(&mut self, start: u32, mut filled: impl FnMut(u32, u32)) {
-        while self.next <= start
-            && let Some((cycle, line)) = self.arrivals.pop_front()
-        {
+        if self.next > start {
+            return;
+        }
+        let behind =
+            self.arrivals.iter().position(|(cycle, _)| *cycle > start).unwrap_or(self.arrivals.len());
+        for (cycle, line) in self.arrivals.drain(..behind) {
             self.tags.fill(line);
             filled(line, cycle);
-            self.next = self.arrivals.front().map_or(u32::MAX, |(cycle, _)| *cycle);
         }
+        self.next = self.arrivals.first().map_or(u32::MAX, |(cycle, _)| *cycle);
     }
 
     /// It is known that `line` arrives in cycle `cycle`.

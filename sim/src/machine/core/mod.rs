@@ -4,6 +4,7 @@
 //! independently of the others, and what they ask of the chip is served in the order of time. Quanta in which nothing
 //! can happen are skipped.
 
+mod banks;
 mod blocked;
 mod chip;
 mod dram;

@@ -262,10 +262,10 @@ fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
     l1.taken(0, 0, 64, 4, target);
     assert_eq!(l1.load_now(0, 0, 64 + 8, target), Access::Refused, "the same bank in the same cycle");
     assert_eq!(l1.load_now(3, 3, 65, target), Access::Served(4 + machine.l1.latency_cycles));
-    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 0));
+    assert_eq!((l1.counts().joined, l1.counts().hits), (1, 0));
     assert_eq!(l1.load_now(4, 4, 65, target), Access::Served(4 + machine.l1.latency_cycles));
-    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 1));
-    assert_eq!(l1.counts.bank_conflicts, 1);
+    assert_eq!((l1.counts().joined, l1.counts().hits), (1, 1));
+    assert_eq!(l1.counts().bank_conflicts, 1);
 
     let mut l2 = L2::new(&machine.l2);
     l2.begin(0);

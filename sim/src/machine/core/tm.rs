@@ -168,7 +168,11 @@ impl Tm {
     }
 
     /// Lets the threads that the chip has answered live through the rest of the quantum.
+    #[inline]
     pub fn catch_up(&mut self, program: &Program, start: u32, end: u32) {
+        if self.answered.is_empty() {
+            return;
+        }
         let mut answered = std::mem::take(&mut self.answered);
         for thread in answered.drain(..) {
             self.run(program, thread.into(), start, end);

@@ -56,7 +56,8 @@ pub(in crate::machine) fn out_of_range(
 /// Threads of a multiprocessor are the bits of a word.
 pub(in crate::machine) const MAX_THREADS: u32 = 64;
 const MAX_TMS: u32 = 1 << 12;
-const MAX_BANKS: u32 = 64;
+/// Most banks of a cache.
+pub(in crate::machine) const MAX_BANKS: u32 = 64;
 const MAX_LATENCY: u32 = 200;
 
 impl MachineDescription {

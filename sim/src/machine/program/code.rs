@@ -59,8 +59,8 @@ impl Code {
             operands: vec![Operands::default()],
             runs: vec![],
         };
-        for (route, waits) in source.routes.iter().zip(&board.waits) {
-            code.add_run(source, route, waits, &board);
+        for number in 0..source.routes.len() {
+            code.add_run(source, number, &board);
         }
         let mut nops = 0;
         let count = |op: &MicroOp| {
@@ -78,12 +78,14 @@ impl Code {
         self.nops_before[to as usize] - self.nops_before[from as usize]
     }
 
-    fn add_run(&mut self, source: &Source<'_>, route: &Route, waits: &[Vec<Register>], board: &Scoreboard) {
+    fn add_run(&mut self, source: &Source<'_>, number: usize, board: &Scoreboard) {
+        let route = &source.routes[number];
         let first = self.ops.len() as u32;
         let mut bases: Vec<u8> = vec![];
-        for (&at, waits) in route.instructions.iter().zip(waits) {
+        let known = board.waits[number].iter().zip(&board.notes[number]);
+        for (&at, (waits, notes)) in route.instructions.iter().zip(known) {
             let instruction = &source.listing.instructions[at];
-            let mut op = self.operation(source, instruction, waits, board);
+            let mut op = self.operation(source, instruction, waits, *notes, board);
             op.bank = (at as u32 & (source.machine.icache.banks - 1)) as u8;
             if let Some((base, offset)) = &instruction.address {
                 let base = source.bases.iter().position(|b| b == base).expect("interned") as u8;
@@ -107,6 +109,7 @@ impl Code {
         source: &Source<'_>,
         instruction: &Instruction,
         waits: &[Register],
+        notes: bool,
         board: &Scoreboard,
     ) -> MicroOp {
         let decoded = &instruction.decoded;
@@ -119,7 +122,7 @@ impl Code {
         };
         let entries = |registers: &[Register]| registers.iter().map(|r| board.entry(*r)).collect();
         let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&decoded.writes));
-        let write = writes.first().copied().unwrap_or(SINK);
+        let write = writes.first().copied().filter(|_| notes).unwrap_or(SINK);
         let mut reads = [READY; 2];
         let is_pair = kind == Kind::Plain && waits.len() == 2 && writes.len() < 2;
         let own = if is_pair { 2 } else { 1 };

@@ -13,6 +13,8 @@ pub struct Entry {
     pub name: String,
     /// Conditions that the paths from here depend on, one bit each.
     bits: Vec<Conditions>,
+    /// The lowest of them and their number, if there is none between them that the paths do not depend on.
+    adjacent: Option<(u32, u32)>,
     /// The run for each combination of these conditions.
     runs: Vec<RunId>,
 }
@@ -21,8 +23,12 @@ impl Entry {
     /// The run under `conditions`.
     #[inline(always)]
     pub fn run(&self, conditions: Conditions) -> RunId {
-        let index =
-            self.bits.iter().rev().fold(0, |index, bit| index << 1 | usize::from(conditions & bit != 0));
+        let index = match self.adjacent {
+            Some((lowest, number)) => (conditions >> lowest & !(Conditions::MAX << number)) as usize,
+            None => {
+                self.bits.iter().rev().fold(0, |index, bit| index << 1 | usize::from(conditions & bit != 0))
+            }
+        };
         self.runs[index]
     }
 }
@@ -83,7 +89,10 @@ impl<'a> Paths<'a> {
             bits.map(|(at, bit)| if index >> at & 1 != 0 { *bit } else { 0 }).sum::<Conditions>()
         };
         let runs = (0..1 << bits.len()).map(|index| run(conditions(index))).collect();
-        Ok(Entry { name: name.to_owned(), bits, runs })
+        let number = bits.len() as u32;
+        let lowest = if mask == 0 { 0 } else { mask.trailing_zeros() };
+        let adjacent = (mask >> lowest == !(Conditions::MAX << number)).then_some((lowest, number));
+        Ok(Entry { name: name.to_owned(), bits, adjacent, runs })
     }
 
     /// The path from instruction `at` to the next entry point.
@@ -132,6 +141,31 @@ impl<'a> Paths<'a> {
                     return Ok(Path::Complete { instructions, next: Some(target) });
                 }
                 Some(target) => here = target,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::machine::description::MachineDescription;
+    use crate::machine::program::Program;
+
+    #[test]
+    fn the_run_follows_from_the_conditions_that_the_entry_point_asks_for() {
+        // `first` asks for a and b, `second` for a and c.
+        let text = "main: #: start\n beqz $2, $one #: a\n nop\n addu $3, $3, $3\n$one:\n beqz $2, $two #: b\n nop\n\
+                    addu $3, $3, $3\n$two: #: second\n beqz $2, $three #: a\n nop\n addu $3, $3, $3\n$three:\n\
+                    beqz $2, $end #: c\n nop\n addu $3, $3, $3\n$end:\n jr $ra\n nop\n";
+        let machine = MachineDescription::load("simtrax-reference", &[]).unwrap();
+        let program = Program::new("test", text, &machine, 8).unwrap();
+        let [a, b, c] = ["a", "b", "c"].map(|name| program.condition(name));
+        // Operations of the run: an addition less for each branch that is taken.
+        for (entry, asked, all) in [("start", [a, b], 6), ("second", [a, c], 8)] {
+            for conditions in 0..8 {
+                let taken = asked.iter().filter(|bit| conditions & *bit != 0).count();
+                let run = program.run(program.entry(entry), conditions);
+                assert_eq!(program.ops_of(run).len(), all - taken, "{entry} {conditions:b}");
             }
         }
     }

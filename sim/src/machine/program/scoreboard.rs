@@ -44,6 +44,8 @@ const UNBOUNDED: u32 = u32::MAX;
 pub struct Scoreboard {
     /// By stretch and operation, the registers that it can find not to be ready.
     pub waits: Vec<Vec<Vec<Register>>>,
+    /// By stretch and operation, whether what it writes has to be noted.
+    pub notes: Vec<Vec<bool>>,
     entry_of: [BoardEntry; REGISTERS],
 }
 
@@ -68,23 +70,39 @@ impl Scoreboard {
         }
         let waits_of = |stretch: &Stretch| go_through(stretch, &mut late[usize::from(stretch.from)].clone());
         let waits: Vec<Vec<Vec<Register>>> = stretches.iter().map(waits_of).collect();
-        let mut entry_of = [SINK; REGISTERS];
-        entry_of[usize::from(ZERO)] = READY;
-        let mut next = SINK + 1;
-        for &register in waits.iter().flatten().flatten() {
-            let entry = &mut entry_of[usize::from(register)];
-            if *entry == SINK {
-                *entry = next;
-                next += 1;
-            }
-        }
-        Self { waits, entry_of }
+        let notes = notes(stretches, &waits, &late);
+        let entry_of = entries_of(stretches, &waits, &notes);
+        Self { waits, notes, entry_of }
     }
 
     /// The entry of `register`, [`SINK`] if nobody ever waits for it.
     pub fn entry(&self, register: Register) -> BoardEntry {
         self.entry_of[usize::from(register)]
     }
+}
+
+/// The entry of each register: those that are looked at or noted in most places come first, to lie together.
+fn entries_of(
+    stretches: &[Stretch],
+    waits: &[Vec<Vec<Register>>],
+    notes: &[Vec<bool>],
+) -> [BoardEntry; REGISTERS] {
+    let mut places = [0u32; REGISTERS];
+    let mut count = |register: &Register| places[usize::from(*register)] += 1;
+    waits.iter().flatten().flatten().for_each(&mut count);
+    let is_looked_at = |register: &Register| waits.iter().flatten().flatten().any(|r| r == register);
+    let mut registers: Vec<Register> = (0..REGISTERS as Register).filter(is_looked_at).collect();
+    for (stretch, notes) in stretches.iter().zip(notes) {
+        let noted = stretch.operations.iter().zip(notes).filter(|(_, notes)| **notes);
+        noted.flat_map(|(operation, _)| &operation.writes).for_each(&mut count);
+    }
+    registers.sort_by_key(|register| std::cmp::Reverse(places[usize::from(*register)]));
+    let mut entry_of = [SINK; REGISTERS];
+    for (register, entry) in registers.iter().zip(SINK + 1..) {
+        entry_of[usize::from(*register)] = entry;
+    }
+    entry_of[usize::from(ZERO)] = READY;
+    entry_of
 }
 
 /// Goes through `stretch` from where registers are so `late`: what each operation can find not to be ready.
@@ -114,6 +132,66 @@ fn step(late: &mut Lateness, operation: &Accesses) {
             Some(latency) => latency - 1,
         };
     }
+}
+
+/// For each register, operations from the next one on before one that looks at it.
+type Distance = [u32; REGISTERS];
+
+/// Goes back through `stretch` from where operations that look are so `far`; calls `at` with each operation's number and what is
+/// true behind it.
+fn go_back(
+    stretch: &Stretch,
+    waits: &[Vec<Register>],
+    far: &mut Distance,
+    mut at: impl FnMut(usize, &Distance),
+) {
+    for number in (0..stretch.operations.len()).rev() {
+        at(number, far);
+        far.iter_mut().for_each(|far| *far = far.saturating_add(1));
+        waits[number].iter().for_each(|register| far[usize::from(*register)] = 0);
+    }
+}
+
+/// By stretch and operation, whether the scoreboard has to know of what it writes.
+///
+/// It need not if no operation looks before the result is ready and what the scoreboard says instead is not later: then
+/// all who look find the register ready, as they would otherwise.
+fn notes(stretches: &[Stretch], waits: &[Vec<Vec<Register>>], late: &[Lateness]) -> Vec<Vec<bool>> {
+    // At entry points; shrinks until it holds for all ways that lead on.
+    let mut far: Vec<Distance> = vec![[u32::MAX; REGISTERS]; late.len()];
+    let behind = |stretch: &Stretch, far: &[Distance]| {
+        stretch.to.map_or([u32::MAX; REGISTERS], |to| far[usize::from(to)])
+    };
+    loop {
+        let before = far.clone();
+        for (stretch, waits) in stretches.iter().zip(waits) {
+            let mut here = behind(stretch, &far);
+            go_back(stretch, waits, &mut here, |_, _| ());
+            let there = &mut far[usize::from(stretch.from)];
+            there.iter_mut().zip(here).for_each(|(there, here)| *there = here.min(*there));
+        }
+        if far == before {
+            break;
+        }
+    }
+    let of = |(stretch, waits): (&Stretch, &Vec<Vec<Register>>)| {
+        let mut notes = vec![false; stretch.operations.len()];
+        go_back(stretch, waits, &mut behind(stretch, &far), |number, far| {
+            let Accesses { writes, latency_cycles, .. } = &stretch.operations[number];
+            let early = |register: &Register| {
+                latency_cycles.is_none_or(|latency| far[usize::from(*register)].saturating_add(1) < latency)
+            };
+            notes[number] = writes.iter().any(early);
+        });
+        let mut late = late[usize::from(stretch.from)];
+        for (operation, notes) in stretch.operations.iter().zip(&mut notes) {
+            operation.reads.iter().for_each(|register| late[usize::from(*register)] = 0);
+            *notes |= operation.writes.iter().any(|register| late[usize::from(*register)] > 1);
+            step(&mut late, operation);
+        }
+        notes
+    };
+    stretches.iter().zip(waits).map(of).collect()
 }
 
 #[cfg(test)]
@@ -173,6 +251,53 @@ mod tests {
         let write = accesses(&[], 5, Some(1));
         let [first, second] = waits([vec![load, write, other()], vec![use_it(), use_it()]]);
         assert_eq!((first.concat(), second), (vec![], vec![vec![5], vec![]]));
+    }
+
+    /// Whether what operations write is noted; stretches as above.
+    fn notes_of(stretches: [Vec<Accesses>; 2]) -> [Vec<bool>; 2] {
+        let [first, second] = stretches;
+        let stretches =
+            [(0, first), (1, second)].map(|(from, operations)| Stretch { from, to: Some(1), operations });
+        let board = Scoreboard::new(&stretches, 2);
+        [0, 1].map(|stretch| board.notes[stretch].clone())
+    }
+
+    #[test]
+    fn results_are_noted_if_somebody_looks_before_they_are_ready() {
+        let [first, _] = notes_of([vec![three(), other(), use_it(), use_it()], vec![]]);
+        assert_eq!(first, [true, false, false, false]);
+        let [first, _] = notes_of([vec![three(), other(), other(), use_it()], vec![]]);
+        assert_eq!(first, [false; 4]);
+        // Also where the one who looks comes behind an entry point, on whatever way.
+        let [first, second] = notes_of([vec![three()], vec![other(), use_it()]]);
+        assert_eq!((first, second), (vec![true], vec![false, false]));
+        let [_, second] = notes_of([vec![], vec![use_it(), other(), three()]]);
+        assert_eq!(second, [false, false, true]);
+    }
+
+    #[test]
+    fn results_are_noted_if_the_scoreboard_would_go_on_saying_something_later() {
+        let load = || accesses(&[], 5, None);
+        let write = || accesses(&[], 5, Some(1));
+        // The second write comes while the load may be under way, like the first.
+        let [first, _] = notes_of([vec![load(), write(), write(), use_it(), write(), use_it()], vec![]]);
+        assert_eq!(first, [true, true, true, false, false, false]);
+        // A short one behind a long one, as long as that would not be ready for the next operation anyway.
+        let long = || accesses(&[], 5, Some(4));
+        let looks = || vec![use_it(), accesses(&[], 5, Some(2))];
+        let [first, _] = notes_of([vec![long(), other(), write()], looks()]);
+        assert_eq!(first, [true, false, true]);
+        let [first, _] = notes_of([vec![long(), other(), other(), write()], looks()]);
+        assert_eq!(first, [false; 4]);
+    }
+
+    #[test]
+    fn entries_that_are_used_in_more_places_come_first() {
+        let load = |register| accesses(&[], register, None);
+        let uses = |register| accesses(&[register], 7, Some(1));
+        let operations = vec![load(9), uses(9), load(8), uses(8), load(8), uses(8)];
+        let board = Scoreboard::new(&[Stretch { from: 0, to: None, operations }], 1);
+        assert_eq!([8, 9].map(|register| board.entry(register)), [SINK + 1, SINK + 2]);
     }
 
     #[test]
