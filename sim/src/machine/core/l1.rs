@@ -122,26 +122,17 @@ impl L1 {
         if self.asked.is_taken(slot, address) {
             return (Access::Ask, slot);
         }
-        let access = self.find(start + slot as u32, slot, address, target);
+        let access = self.load_now(start + slot as u32, slot, address, target);
         if access == Access::Ask {
             self.asked.take(slot, address);
         }
         (access, slot)
     }
 
-    /// A load of `address` in cycle `now`, which is `slot` of the quantum, after all earlier requests to the chip have been
-    /// served.
-    pub fn load_now(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
-        if self.is_taken(slot, address) {
-            self.counts.bank_conflicts += 1;
-            return Access::Refused;
-        }
-        self.find(now, slot, address, target)
-    }
-
-    /// A load whose bank is free.
+    /// A load of `address` in cycle `now`, which is `slot` of the quantum, whose bank is free, after all earlier requests to the
+    /// chip have been served.
     #[inline(always)]
-    fn find(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
+    pub fn load_now(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         let line = address >> self.line_shift;
         if self.lines.holds(now, line) {
             self.counts.hits += 1;
@@ -174,21 +165,20 @@ impl L1 {
     /// A store to `address` in slot `slot`: refused, or to be passed on to the chip.
     #[inline(always)]
     pub fn store(&mut self, slot: usize, address: u32) -> Access {
-        if !self.asked.is_taken(slot, address) && self.store_now(slot, address) == Access::Refused {
+        if !self.asked.is_taken(slot, address) && self.refuses(slot, address) {
             return Access::Refused;
         }
         self.asked.take(slot, address);
         Access::Ask
     }
 
-    /// [`L1::store`] after all earlier requests to the chip have been served.
+    /// Whether the bank of `address` is taken in slot `slot` by what the L1 has served or the chip has taken, which refuses a
+    /// request to the chip.
     #[inline]
-    pub fn store_now(&mut self, slot: usize, address: u32) -> Access {
-        if self.is_taken(slot, address) {
-            self.counts.bank_conflicts += 1;
-            return Access::Refused;
-        }
-        Access::Ask
+    pub fn refuses(&mut self, slot: usize, address: u32) -> bool {
+        let refuses = self.is_taken(slot, address);
+        self.counts.bank_conflicts += u64::from(refuses);
+        refuses
     }
 
     /// The chip has taken a load, whose line arrives in cycle `arrival`.

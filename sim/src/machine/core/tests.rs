@@ -260,7 +260,8 @@ fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
     // A line that arrives in cycle 4 can be joined a cycle before, and is held from then on.
     assert_eq!(l1.load_now(0, 0, 64, target), Access::Ask);
     l1.taken(0, 0, 64, 4, target);
-    assert_eq!(l1.load_now(0, 0, 64 + 8, target), Access::Refused, "the same bank in the same cycle");
+    assert!(l1.refuses(0, 64 + 8), "the same bank in the same cycle");
+    assert!(!l1.refuses(0, 64 + 7) && !l1.refuses(1, 64 + 8));
     assert_eq!(l1.load_now(3, 3, 65, target), Access::Served(4 + machine.l1.latency_cycles));
     assert_eq!((l1.counts().joined, l1.counts().hits), (1, 0));
     assert_eq!(l1.load_now(4, 4, 65, target), Access::Served(4 + machine.l1.latency_cycles));

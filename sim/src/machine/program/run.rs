@@ -50,7 +50,7 @@ pub struct MicroOp {
     pub pool: u8,
     /// Entries of the registers that it can find not to be ready, `READY` for none; only [`Issue::Pair`] has a second.
     pub reads: [BoardEntry; 2],
-    /// Entry of the register that it writes.
+    /// Entry of the register that it writes, `SINK` if nobody looks at the result before it is ready.
     pub write: BoardEntry,
     /// Cycles until the result can be used.
     pub latency: u8,

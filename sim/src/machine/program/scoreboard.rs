@@ -1,9 +1,10 @@
-//! Which operands an operation can find not to be ready, and the entries of their registers on the scoreboard.
+//! Which operands an operation can find not to be ready, which results have to be noted for that, and the entries of their
+//! registers on the scoreboard.
 //!
 //! A thread issues in order, at most one operation a cycle. So a result is ready for whoever comes as many operations
 //! later as its unit takes cycles, and for whoever comes behind an operation that has waited for it. Along the runs of a
-//! program this leaves few operands that need a look, and few registers that need an entry. What a load brings may come
-//! at any time, and also after its register was written again, until an operation has waited for it.
+//! program this leaves few operands that need a look, few results to note and few registers that need an entry. What a load
+//! brings may come at any time, and also after its register was written again, until an operation has waited for it.
 
 use super::EntryId;
 use super::isa::{REGISTERS, Register, ZERO};

@@ -90,22 +90,16 @@ impl<W: Work> Chip<'_, W> {
         let seat = &mut self.seats[number];
         let tm = &mut seat.tm;
         let l2 = &mut self.l2s[seat.partition];
-        // A line that the L1 did not have is there or under way only after the L1 has asked for another.
-        let misses = request.kind == Kind::Load && request.missed == tm.l1.lines_asked;
-        if misses && !tm.l1.is_taken(slot, request.address) && !l2.is_free(slot, request.address) {
+        if tm.l1.refuses(slot, request.address) {
             return Outcome::Refused;
         }
-        let again = match request.kind {
-            Kind::Load => tm.load_now(program, *request, slot),
-            _ => tm.l1.store_now(slot, request.address),
-        };
-        match again {
-            Access::Served(ready) => {
-                tm.served(program, *request, ready);
-                return Outcome::Served;
-            }
-            Access::Refused => return Outcome::Refused,
-            Access::Ask => {}
+        // A line that the L1 did not have is there or under way only after the L1 has asked for another.
+        if request.kind == Kind::Load
+            && request.missed != tm.l1.lines_asked
+            && let Access::Served(ready) = tm.load_now(program, *request, slot)
+        {
+            tm.served(program, *request, ready);
+            return Outcome::Served;
         }
         request.missed = tm.l1.lines_asked;
         if !l2.is_free(slot, request.address) {
@@ -150,6 +144,9 @@ impl<W: Work> Chip<'_, W> {
 fn merge(requests: &mut Vec<Request>, later: &[Request], place: impl Fn(&Request) -> u32) {
     let (mut these, mut those) = (requests.len(), later.len());
     requests.extend_from_slice(later);
+    if these == 0 {
+        return;
+    }
     while those > 0 {
         let last = later[those - 1];
         if these > 0 && place(&requests[these - 1]) > place(&last) {
