@@ -184,20 +184,8 @@ impl Seat {
     }
 
     /// Gives new tapes to the threads that need them and lets them catch up.
-    #[inline(always)]
+    #[inline]
     fn change_tapes<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, quantum: [u32; 2]) {
-        if !self.tm.ended.is_empty() {
-            self.change_tapes_of_ended(program, work, no_more, quantum);
-        }
-    }
-
-    fn change_tapes_of_ended<W: Work>(
-        &mut self,
-        program: &Program,
-        work: &W,
-        no_more: Conditions,
-        quantum: [u32; 2],
-    ) {
         while let Some(thread) = self.tm.ended.pop() {
             let thread = usize::from(thread);
             self.change_tape(program, work, no_more, thread);
@@ -206,6 +194,7 @@ impl Seat {
     }
 
     /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
+    #[inline(never)]
     fn change_tape<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, thread: usize) {
         let place = &mut self.tm.threads[thread];
         let Some(entry) = program.code.runs[place.tape[place.at as usize] as usize].next else {

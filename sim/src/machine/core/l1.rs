@@ -82,12 +82,6 @@ impl L1 {
         self.lines.warm(line)
     }
 
-    /// Whether the bank of `address` is taken in slot `slot`.
-    #[inline(always)]
-    pub fn is_taken(&self, slot: usize, address: u32) -> bool {
-        self.enabled && self.busy.is_taken(slot, address)
-    }
-
     /// A load of `address` in cycle `now`, which is `slot` of the quantum, if it is a hit: the cycle from which on the data
     /// can be used. If not, [`L1::load`] says what becomes of it.
     #[inline(always)]
@@ -129,8 +123,7 @@ impl L1 {
         (access, slot)
     }
 
-    /// A load of `address` in cycle `now`, which is `slot` of the quantum, whose bank is free, after all earlier requests to the
-    /// chip have been served.
+    /// A load of `address` in cycle `now`, which is `slot` of the quantum, whose bank is free.
     #[inline(always)]
     pub fn load_now(&mut self, now: u32, slot: usize, address: u32, target: Target<'_>) -> Access {
         let line = address >> self.line_shift;
@@ -176,7 +169,7 @@ impl L1 {
     /// request to the chip.
     #[inline]
     pub fn refuses(&mut self, slot: usize, address: u32) -> bool {
-        let refuses = self.is_taken(slot, address);
+        let refuses = self.enabled && self.busy.is_taken(slot, address);
         self.counts.bank_conflicts += u64::from(refuses);
         refuses
     }

@@ -25,8 +25,7 @@ impl Lines {
         if self.next > start {
             return;
         }
-        let behind =
-            self.arrivals.iter().position(|(cycle, _)| *cycle > start).unwrap_or(self.arrivals.len());
+        let behind = self.arrivals.partition_point(|(cycle, _)| *cycle <= start);
         for (cycle, line) in self.arrivals.drain(..behind) {
             self.tags.fill(line);
             filled(line, cycle);

@@ -53,9 +53,9 @@ impl Slots {
     /// The first slot behind `slot` in which there is one of `resource`; `end` if there is none before.
     #[inline]
     pub fn next(&self, resource: u8, slot: usize, end: usize) -> usize {
-        let (quantum, _) = self.left[usize::from(resource)].split_at(QUANTUM);
+        let quantum = self.left[usize::from(resource)].first_chunk::<QUANTUM>();
         // A byte for each slot, that of the first one lowest.
-        let left = u64::from_le_bytes(quantum.try_into().expect("a quantum's slots are a word"));
+        let left = u64::from_le_bytes(*quantum.expect("a row is longer"));
         let next = slot + 1;
         let behind = left.checked_shr(u8::BITS * next as u32).unwrap_or(0);
         end.min(next + (behind.trailing_zeros() / u8::BITS) as usize) % COLUMNS

@@ -153,19 +153,20 @@ mod tests {
 
     #[test]
     fn the_run_follows_from_the_conditions_that_the_entry_point_asks_for() {
-        // `first` asks for a and b, `second` for a and c.
+        // `start` asks for a and b, `second` for a and c. Where a branch is not taken, there is an addition more for its first
+        // condition, two for its second.
         let text = "main: #: start\n beqz $2, $one #: a\n nop\n addu $3, $3, $3\n$one:\n beqz $2, $two #: b\n nop\n\
-                    addu $3, $3, $3\n$two: #: second\n beqz $2, $three #: a\n nop\n addu $3, $3, $3\n$three:\n\
-                    beqz $2, $end #: c\n nop\n addu $3, $3, $3\n$end:\n jr $ra\n nop\n";
+                    addu $3, $3, $3\n addu $3, $3, $3\n$two: #: second\n beqz $2, $three #: a\n nop\n addu $3, $3, $3\n$three:\n\
+                    beqz $2, $end #: c\n nop\n addu $3, $3, $3\n addu $3, $3, $3\n$end:\n jr $ra\n nop\n";
         let machine = MachineDescription::load("simtrax-reference", &[]).unwrap();
         let program = Program::new("test", text, &machine, 8).unwrap();
         let [a, b, c] = ["a", "b", "c"].map(|name| program.condition(name));
-        // Operations of the run: an addition less for each branch that is taken.
-        for (entry, asked, all) in [("start", [a, b], 6), ("second", [a, c], 8)] {
+        for (entry, asked, branches) in [("start", [a, b], 4), ("second", [a, c], 6)] {
             for conditions in 0..8 {
-                let taken = asked.iter().filter(|bit| conditions & *bit != 0).count();
+                let additions = [1, 2].iter().zip(asked).filter(|(_, bit)| conditions & bit == 0);
+                let additions: usize = additions.map(|(additions, _)| additions).sum();
                 let run = program.run(program.entry(entry), conditions);
-                assert_eq!(program.ops_of(run).len(), all - taken, "{entry} {conditions:b}");
+                assert_eq!(program.ops_of(run).len(), branches + additions, "{entry} {conditions:b}");
             }
         }
     }

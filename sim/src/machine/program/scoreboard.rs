@@ -72,7 +72,16 @@ impl Scoreboard {
         let waits_of = |stretch: &Stretch| go_through(stretch, &mut late[usize::from(stretch.from)].clone());
         let waits: Vec<Vec<Vec<Register>>> = stretches.iter().map(waits_of).collect();
         let notes = notes(stretches, &waits, &late);
-        let entry_of = entries_of(stretches, &waits, &notes);
+        let mut entry_of = [SINK; REGISTERS];
+        entry_of[usize::from(ZERO)] = READY;
+        let mut next = SINK + 1;
+        for &register in waits.iter().flatten().flatten() {
+            let entry = &mut entry_of[usize::from(register)];
+            if *entry == SINK {
+                *entry = next;
+                next += 1;
+            }
+        }
         Self { waits, notes, entry_of }
     }
 
@@ -80,30 +89,6 @@ impl Scoreboard {
     pub fn entry(&self, register: Register) -> BoardEntry {
         self.entry_of[usize::from(register)]
     }
-}
-
-/// The entry of each register: those that are looked at or noted in most places come first, to lie together.
-fn entries_of(
-    stretches: &[Stretch],
-    waits: &[Vec<Vec<Register>>],
-    notes: &[Vec<bool>],
-) -> [BoardEntry; REGISTERS] {
-    let mut places = [0u32; REGISTERS];
-    let mut count = |register: &Register| places[usize::from(*register)] += 1;
-    waits.iter().flatten().flatten().for_each(&mut count);
-    let is_looked_at = |register: &Register| waits.iter().flatten().flatten().any(|r| r == register);
-    let mut registers: Vec<Register> = (0..REGISTERS as Register).filter(is_looked_at).collect();
-    for (stretch, notes) in stretches.iter().zip(notes) {
-        let noted = stretch.operations.iter().zip(notes).filter(|(_, notes)| **notes);
-        noted.flat_map(|(operation, _)| &operation.writes).for_each(&mut count);
-    }
-    registers.sort_by_key(|register| std::cmp::Reverse(places[usize::from(*register)]));
-    let mut entry_of = [SINK; REGISTERS];
-    for (register, entry) in registers.iter().zip(SINK + 1..) {
-        entry_of[usize::from(*register)] = entry;
-    }
-    entry_of[usize::from(ZERO)] = READY;
-    entry_of
 }
 
 /// Goes through `stretch` from where registers are so `late`: what each operation can find not to be ready.
@@ -290,15 +275,6 @@ mod tests {
         assert_eq!(first, [true, false, true]);
         let [first, _] = notes_of([vec![long(), other(), other(), write()], looks()]);
         assert_eq!(first, [false; 4]);
-    }
-
-    #[test]
-    fn entries_that_are_used_in_more_places_come_first() {
-        let load = |register| accesses(&[], register, None);
-        let uses = |register| accesses(&[register], 7, Some(1));
-        let operations = vec![load(9), uses(9), load(8), uses(8), load(8), uses(8)];
-        let board = Scoreboard::new(&[Stretch { from: 0, to: None, operations }], 1);
-        assert_eq!([8, 9].map(|register| board.entry(register)), [SINK + 1, SINK + 2]);
     }
 
     #[test]
