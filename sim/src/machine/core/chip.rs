@@ -83,8 +83,8 @@ struct Chip<'a, W> {
     host_threads: usize,
     /// What is asked of the chip, by slot of the quantum.
     requests: [Vec<Request>; QUANTUM],
-    /// Room for what is refused.
-    refused: Vec<Request>,
+    /// Room for what is asked by the current slot and not yet served, in order of place, of one place the newest first.
+    waiting: Vec<Request>,
     /// Reads that found their memory channel full.
     blocked: Blocked,
     no_more: Conditions,
@@ -144,7 +144,7 @@ pub fn simulate_plan<W: Work>(
         length: quantum_cycles(machine),
         host_threads: rayon::current_num_threads(),
         requests: Default::default(),
-        refused: vec![],
+        waiting: vec![],
         blocked: Blocked::new(machine.dram.channels),
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
@@ -349,7 +349,7 @@ impl<W: Work> Chip<'_, W> {
         let cycles = self.seats.iter().map(|seat| seat.tm.last_issue()).max().unwrap_or(0) + 1;
         let mut counts = Counts { cycles, runs: self.skipped_runs.clone(), ..Counts::default() };
         for seat in &mut self.seats {
-            seat.tm.finish(self.program, cycles);
+            seat.tm.finish(cycles);
             counts.thread_cycles.merge(&seat.tm.thread_cycles(self.program));
             counts.l1.merge(&seat.tm.l1.counts());
             counts.runs.iter_mut().zip(&seat.runs).for_each(|(sum, times)| *sum += times);

@@ -31,13 +31,10 @@ impl L2 {
         self.lines.arrives(line, cycle);
     }
 
-    /// Whether the bank of word `address` is free in slot `slot`.
-    pub fn is_free(&mut self, slot: usize, address: u32) -> bool {
-        let free = !self.busy.is_taken(slot, address);
-        if !free {
-            self.counts.bank_conflicts += 1;
-        }
-        free
+    /// Whether the bank of word `address` is taken in slot `slot`.
+    #[inline(always)]
+    pub fn is_taken(&self, slot: usize, address: u32) -> bool {
+        self.busy.is_taken(slot, address)
     }
 
     /// Takes the bank of word `address` in slot `slot`, for an access that is served.

@@ -13,6 +13,7 @@ mod l2;
 mod lines;
 mod outstanding;
 mod plan;
+mod prefetch;
 mod slots;
 mod stats;
 mod tags;

@@ -147,6 +147,18 @@ fn a_line_that_is_read_while_everybody_waits_is_not_missed() {
 }
 
 #[test]
+fn a_load_that_can_join_a_line_under_way_does_not_wait_for_the_bank_of_the_second_level_cache() {
+    let loads = repeat("LOAD $3, $4, 0 #: data\nLOAD $5, $4, 512 #: data", 2);
+    for threads in [8, 16] {
+        let settings = ["chip.tms_per_partition=4", &format!("tm.threads={threads}"), "l2.banks=1"];
+        let counts = run_at(&settings, 16 * threads, &loads, |item| 1024 + item % 2);
+        assert_eq!(counts.l2.loads, 8, "two lines for each of four multiprocessors");
+        // Each of these waits for the other three multiprocessors at most; all others find the line under way.
+        assert!(counts.l2.bank_conflicts <= 8 * 3, "{counts:?}");
+    }
+}
+
+#[test]
 fn banks_units_and_fetches_serve_as_many_a_cycle_as_there_are() {
     let slower = |settings: &[&str], body: &str, address: fn(u32) -> u32| {
         let settings = [&["tm.threads=4", "icache.fetches_per_bank=4"], settings].concat();
@@ -270,10 +282,10 @@ fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
 
     let mut l2 = L2::new(&machine.l2);
     l2.begin(0);
-    assert!(l2.is_free(0, 5));
+    assert!(!l2.is_taken(0, 5));
     l2.take(0, 5);
-    assert!(!l2.is_free(0, 5 + machine.l2.banks), "the same bank in the same cycle");
-    assert!(l2.is_free(0, 6) && l2.is_free(1, 5));
+    assert!(l2.is_taken(0, 5 + machine.l2.banks), "the same bank in the same cycle");
+    assert!(!l2.is_taken(0, 6) && !l2.is_taken(1, 5));
     l2.arrives(9, 6);
     assert!(!l2.hit(5, 9) && l2.hit(6, 9), "a line is held from the cycle of its arrival on");
 }

@@ -2,6 +2,7 @@
 
 use super::l1::{Access, L1, Target};
 use super::outstanding::UNKNOWN;
+use super::prefetch::prefetch;
 use super::slots::{COLUMNS, Slots};
 use super::stats::ThreadCycles;
 use crate::machine::program::{BOARD_ENTRIES, BoardEntry, Issue, MicroOp, Program};
@@ -106,6 +107,19 @@ impl Thread {
         }
     }
 
+    /// Asks the host for what it looks at first when it comes by: itself, and of its scoreboard as much as most programs use.
+    #[inline(always)]
+    pub fn prefetch(&self) {
+        prefetch(self, 3);
+    }
+
+    /// Asks the host for its next operations and addresses.
+    #[inline(always)]
+    pub fn prefetch_operations(&self, program: &Program) {
+        prefetch(program.code.steps.as_ptr().wrapping_add(self.pc as usize), 2);
+        prefetch(self.tape.as_ptr().wrapping_add(self.at as usize), 1);
+    }
+
     /// Issues operations of thread `number` before the end of the quantum, up to one that is neither plain nor a load that
     /// the L1 serves, or to the end of its tape, which is [`Stop::Over`].
     #[inline(always)]
@@ -116,36 +130,36 @@ impl Thread {
         tables: &mut Tables<'_>,
         cycles: &mut ThreadCycles,
     ) -> Stop {
-        let ops = &program.code.ops[..];
+        let steps = &program.code.steps[..];
         let (start, end) = (tables.start, tables.start + tables.length);
         let slots = tables.length as usize;
         let first = (self.time - start) as usize % COLUMNS;
         let mut slot = first;
         // The one behind that of the last operation issued.
         let mut behind;
-        let mut rest = &ops[self.pc as usize..];
+        let mut rest = &steps[self.pc as usize..];
         if self.held {
             // It brings its fetch along.
             tables.fetches.give(rest[0].bank, slot);
         }
         let stop = loop {
-            let [op, next @ ..] = rest else { unreachable!("behind every run stands its end") };
+            let [step, next @ ..] = rest else { unreachable!("behind every run stands its end") };
             behind = slot;
             // There is none behind the quantum, nor for what stands behind a run.
-            if !tables.fetches.take(op.bank, slot) {
+            if !tables.fetches.take(step.bank, slot) {
                 cold_path();
-                if op.issue == Issue::End {
-                    self.pc = (ops.len() - rest.len()) as u32;
+                if step.issue == Issue::End {
+                    self.pc = (steps.len() - rest.len()) as u32;
                     if !self.advance(program, cycles) {
                         self.time = start + slot as u32;
                         break Stop::Over;
                     }
-                    rest = &ops[self.pc as usize..];
+                    rest = &steps[self.pc as usize..];
                     continue;
                 }
                 let waits = slot < slots;
                 let next = waits
-                    .then(|| wait_for(tables.fetches, op.bank, slot, slots, &mut cycles.fetch))
+                    .then(|| wait_for(tables.fetches, step.bank, slot, slots, &mut cycles.fetch))
                     .flatten();
                 let Some(next) = next else {
                     self.time = end;
@@ -154,7 +168,7 @@ impl Thread {
                 slot = next;
             }
             let mut now = start + slot as u32;
-            let ready = self.ready[usize::from(op.reads[0])];
+            let ready = self.ready[usize::from(step.read)];
             if ready > now {
                 cold_path();
                 if !self.is_ready_by(now, ready, end, cycles) {
@@ -163,23 +177,23 @@ impl Thread {
                 now = ready;
                 slot = (now - start) as usize % COLUMNS;
             }
-            let ready = if op.issue == Issue::Plain {
-                if !tables.units.take(op.pool, slot) {
+            let ready = if let Issue::Plain { pool, latency } = step.issue {
+                if !tables.units.take(pool, slot) {
                     cold_path();
-                    let Some(next) = wait_for(tables.units, op.pool, slot, slots, &mut cycles.units) else {
+                    let Some(next) = wait_for(tables.units, pool, slot, slots, &mut cycles.units) else {
                         self.time = end;
                         break Stop::Waits;
                     };
                     (slot, now) = (next, start + next as u32);
                 }
-                now + u32::from(op.latency)
-            } else if op.issue == Issue::Load {
-                let address = self.word(op);
+                now + u32::from(latency)
+            } else if let Issue::Load { base, offset } = step.issue {
+                let address = self.word(base, offset);
                 if let Some(ready) = tables.l1.hit(now, slot, address) {
                     ready
                 } else {
                     cold_path();
-                    let target = Target { thread: number, entries: std::slice::from_ref(&op.write) };
+                    let target = Target { thread: number, entries: std::slice::from_ref(&step.write) };
                     let access;
                     (access, slot) = tables.l1.load(start, slot..slots, address, target);
                     slot %= COLUMNS;
@@ -191,10 +205,10 @@ impl Thread {
                         Access::Refused => break Stop::Waits,
                     }
                 }
-            } else if op.issue == Issue::Pair {
+            } else if let Issue::Pair { pool, latency, second } = step.issue {
                 // Apart from plain ones, so that those need not look whether there is a second operand.
                 cold_path();
-                let ready = self.ready[usize::from(op.reads[1])];
+                let ready = self.ready[usize::from(second)];
                 if ready > now {
                     if !self.is_ready_by(now, ready, end, cycles) {
                         break Stop::Waits;
@@ -202,21 +216,21 @@ impl Thread {
                     now = ready;
                     slot = (now - start) as usize % COLUMNS;
                 }
-                if !tables.units.take(op.pool, slot) {
+                if !tables.units.take(pool, slot) {
                     cold_path();
-                    let Some(next) = wait_for(tables.units, op.pool, slot, slots, &mut cycles.units) else {
+                    let Some(next) = wait_for(tables.units, pool, slot, slots, &mut cycles.units) else {
                         self.time = end;
                         break Stop::Waits;
                     };
                     (slot, now) = (next, start + next as u32);
                 }
-                now + u32::from(op.latency)
+                now + u32::from(latency)
             } else {
                 cold_path();
                 self.time = now;
                 break Stop::Other;
             };
-            self.set_ready(op.write, ready);
+            self.set_ready(step.write, ready);
             slot = (slot + 1) % COLUMNS;
             rest = next;
         };
@@ -224,7 +238,7 @@ impl Thread {
             self.last_issue = start + behind as u32 - 1;
         }
         self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
-        self.pc = (ops.len() - rest.len()) as u32;
+        self.pc = (steps.len() - rest.len()) as u32;
         stop
     }
 
@@ -281,15 +295,15 @@ impl Thread {
         true
     }
 
-    /// The first word address of a memory operation.
+    /// The word address that stands so far behind one of the event's.
     #[inline(always)]
-    fn word(&self, op: &MicroOp) -> u32 {
-        self.tape[self.at as usize + 1 + usize::from(op.base)] + u32::from(op.offset)
+    fn word(&self, base: u8, offset: u16) -> u32 {
+        self.tape[self.at as usize + 1 + usize::from(base)] + u32::from(offset)
     }
 
     /// The word address that a memory operation accesses next.
     pub fn address(&self, op: &MicroOp) -> u32 {
-        self.word(op) + u32::from(self.part)
+        self.word(op.base, op.offset) + u32::from(self.part)
     }
 
     /// Entries of the words that an access at `address` brings: those up to the end of the line.

@@ -54,6 +54,8 @@ impl Request {
 #[derive(Clone, Debug)]
 pub struct Tm {
     number: u16,
+    /// Whether there are others, whose quanta drive its threads from the host's nearest cache.
+    has_others: bool,
     /// The threads.
     pub threads: Vec<Thread>,
     /// Those that have not finished.
@@ -97,6 +99,7 @@ impl Tm {
         let threads = (0..machine.tm.threads).map(|number| Thread::new((number % icache.caches) as u8));
         Self {
             number,
+            has_others: machine.chip.tms() > 1,
             threads: threads.collect(),
             running: machine.tm.threads as usize,
             line_words: machine.l1.line_words(),
@@ -159,6 +162,14 @@ impl Tm {
         let count = self.threads.len();
         let mut number = first;
         for _ in 0..count {
+            if self.has_others {
+                if let Some(later) = self.threads.get(number + 2) {
+                    later.prefetch();
+                }
+                if let Some(next) = self.threads.get(number + 1) {
+                    next.prefetch_operations(program);
+                }
+            }
             self.run_inline(program, number, start, end);
             number += 1;
             if number == count {
@@ -282,7 +293,7 @@ impl Tm {
         thread.time += 1;
         thread.held = false;
         thread.pc += 1;
-        if program.code.ops[thread.pc as usize].issue == Issue::End && !thread.advance(program, cycles) {
+        if program.code.steps[thread.pc as usize].issue == Issue::End && !thread.advance(program, cycles) {
             self.ended.push(number as u8);
             return false;
         }
@@ -307,16 +318,16 @@ impl Tm {
         thread.last_issue = request.cycle;
         thread.held = false;
         thread.pc += 1;
-        if program.code.ops[thread.pc as usize].issue == Issue::End
+        if program.code.steps[thread.pc as usize].issue == Issue::End
             && !thread.advance(program, &mut self.cycles)
         {
             self.ended.push(request.thread);
         }
     }
 
-    /// The chip or a cache bank has refused; the thread tries again in the next cycle.
+    /// The chip or a cache bank has refused until the end of the quantum, cycles that are counted; the thread tries again in the
+    /// next one.
     pub fn refused(&mut self, request: Request) {
-        self.cycles.memory += 1;
         self.answered.push(request.thread);
         let thread = &mut self.threads[usize::from(request.thread)];
         thread.time = request.cycle + 1;
@@ -369,9 +380,8 @@ impl Tm {
         cycles
     }
 
-    /// Counts what threads that have finished did not do until cycle `end`.
-    pub fn finish(&mut self, program: &Program, end: u32) {
-        let all = u64::from(end) * self.threads.len() as u64;
-        self.cycles.halted = all - self.thread_cycles(program).total();
+    /// Counts the cycles from its last instruction to cycle `end` of every thread.
+    pub fn finish(&mut self, end: u32) {
+        self.cycles.halted = self.threads.iter().map(|thread| u64::from(end - thread.last_issue - 1)).sum();
     }
 }

@@ -3,7 +3,7 @@
 use super::EntryId;
 use super::isa::{Place, Register};
 use super::listing::{Instruction, Listing};
-use super::run::{Issue, Kind, MicroOp, Operands, Run, pool_of};
+use super::run::{Issue, Kind, MicroOp, Operands, Run, Step, pool_of};
 use super::scoreboard::{Accesses, BoardEntry, READY, SINK, Scoreboard, Stretch};
 use crate::machine::description::MachineDescription;
 
@@ -19,6 +19,8 @@ pub struct Route {
 #[derive(Clone, Debug)]
 pub struct Code {
     /// Operations of all runs, each run with an [`Issue::End`] behind it.
+    pub steps: Vec<Step>,
+    /// What else there is to know of each.
     pub ops: Vec<MicroOp>,
     /// Where the instructions of each run execute.
     pub places: Vec<Vec<Place>>,
@@ -53,6 +55,7 @@ impl Code {
         let stretches: Vec<Stretch> = source.routes.iter().map(stretch).collect();
         let board = Scoreboard::new(&stretches, source.entries);
         let mut code = Self {
+            steps: vec![],
             ops: vec![],
             places: vec![],
             nops_before: vec![],
@@ -85,19 +88,22 @@ impl Code {
         let known = board.waits[number].iter().zip(&board.notes[number]);
         for (&at, (waits, notes)) in route.instructions.iter().zip(known) {
             let instruction = &source.listing.instructions[at];
-            let mut op = self.operation(source, instruction, waits, *notes, board);
-            op.bank = (at as u32 & (source.machine.icache.banks - 1)) as u8;
+            let mut address = (0, 0);
             if let Some((base, offset)) = &instruction.address {
                 let base = source.bases.iter().position(|b| b == base).expect("interned") as u8;
                 let slot = bases.iter().position(|b| *b == base).unwrap_or_else(|| {
                     bases.push(base);
                     bases.len() - 1
                 });
-                (op.base, op.offset) = (slot as u8, *offset as u16);
+                address = (slot as u8, *offset as u16);
             }
+            let bank = (at as u32 & (source.machine.icache.banks - 1)) as u8;
+            let (step, op) = self.operation(source, instruction, address, waits, *notes, board);
+            self.steps.push(Step { bank, ..step });
             self.ops.push(op);
         }
         let length = self.ops.len() as u32 - first;
+        self.steps.push(Step::END);
         self.ops.push(MicroOp::END);
         let place = |at: &usize| source.listing.instructions[*at].decoded.place;
         self.places.push(route.instructions.iter().map(place).collect());
@@ -108,10 +114,11 @@ impl Code {
         &mut self,
         source: &Source<'_>,
         instruction: &Instruction,
+        (base, offset): (u8, u16),
         waits: &[Register],
         notes: bool,
         board: &Scoreboard,
-    ) -> MicroOp {
+    ) -> (Step, MicroOp) {
         let decoded = &instruction.decoded;
         let kind = match decoded.place {
             Place::Nop => Kind::Nop,
@@ -123,10 +130,8 @@ impl Code {
         let entries = |registers: &[Register]| registers.iter().map(|r| board.entry(*r)).collect();
         let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&decoded.writes));
         let write = writes.first().copied().filter(|_| notes).unwrap_or(SINK);
-        let mut reads = [READY; 2];
         let is_pair = kind == Kind::Plain && waits.len() == 2 && writes.len() < 2;
         let own = if is_pair { 2 } else { 1 };
-        reads.iter_mut().zip(waits.iter().take(own)).for_each(|(slot, waits)| *slot = *waits);
         let further = Operands {
             writes: if writes.len() > 1 { writes } else { vec![] },
             reads: waits.get(own..).unwrap_or_default().to_vec(),
@@ -135,16 +140,17 @@ impl Code {
             self.operands.push(further);
             self.operands.len() - 1
         });
+        let (pool, latency) = (pool_of(decoded.place), source.latency_cycles(decoded.place) as u8);
         let issue = match kind {
             _ if operands != 0 => Issue::Other,
-            _ if is_pair => Issue::Pair,
-            Kind::Plain | Kind::Nop => Issue::Plain,
-            Kind::Load => Issue::Load,
+            _ if is_pair => Issue::Pair { pool, latency, second: waits[1] },
+            Kind::Plain | Kind::Nop => Issue::Plain { pool, latency },
+            Kind::Load => Issue::Load { base, offset },
             Kind::Store | Kind::Counter => Issue::Other,
         };
-        let latency = source.latency_cycles(decoded.place) as u8;
-        let (pool, operands) = (pool_of(decoded.place), operands as u16);
-        MicroOp { issue, kind, pool, reads, write, latency, operands, ..MicroOp::END }
+        let read = waits.first().copied().unwrap_or(READY);
+        let step = Step { read, write, issue, ..Step::END };
+        (step, MicroOp { kind, pool, write, latency, base, offset, operands: operands as u16 })
     }
 }
 

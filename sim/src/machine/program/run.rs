@@ -20,37 +20,71 @@ pub enum Kind {
     Counter,
 }
 
-/// Who issues an operation.
+/// Who issues an operation, and what else is to be known for that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
 pub enum Issue {
     /// The thread: waiting for an operand and its unit and writing its result is all there is to do.
-    Plain,
+    Plain {
+        /// Index of the unit pool.
+        pool: u8,
+        /// Cycles until the result can be used.
+        latency: u8,
+    },
     /// The thread, with the L1: a load of one word.
-    Load,
+    Load {
+        /// Which of the event's addresses it is relative to.
+        base: u8,
+        /// Words behind that address.
+        offset: u16,
+    },
     /// The thread, like a plain one that waits for a second operand.
-    Pair,
-    /// The multiprocessor.
+    Pair {
+        /// Index of the unit pool.
+        pool: u8,
+        /// Cycles until the result can be used.
+        latency: u8,
+        /// Entry of its second operand.
+        second: BoardEntry,
+    },
+    /// The multiprocessor, see its [`MicroOp`].
     Other,
     /// Nobody: it stands behind the last operation of a run.
     End,
 }
 
-/// An operation as the core executes it.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(16))]
-pub struct MicroOp {
-    /// Who issues it.
-    pub issue: Issue,
-    /// What else there is to do.
-    pub kind: Kind,
+/// What a thread looks at to issue an operation. Kept small: threads come by in turn, and by the time that one comes back, its
+/// operations have left the host's nearest cache.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(align(8))]
+pub struct Step {
     /// Bank of the instruction cache; `NO_BANK` behind the last operation of a run.
     pub bank: u8,
+    /// Entry of the first register that it can find not to be ready, `READY` for none.
+    pub read: BoardEntry,
+    /// Entry of the register that it writes, `SINK` if nobody looks at the result before it is ready.
+    pub write: BoardEntry,
+    /// Who issues it.
+    pub issue: Issue,
+}
+
+const _: () = assert!(size_of::<Step>() == 8, "eight in a line of the host's cache");
+
+/// The bank behind the last operation of a run: it never has a fetch left.
+const NO_BANK: u8 = u8::MAX;
+
+impl Step {
+    /// What stands behind the last operation of a run.
+    pub const END: Self = Self { bank: NO_BANK, read: READY, write: SINK, issue: Issue::End };
+}
+
+/// What else there is to know of an operation.
+#[derive(Clone, Copy, Debug)]
+pub struct MicroOp {
+    /// What there is to do.
+    pub kind: Kind,
     /// Index of the unit pool.
     pub pool: u8,
-    /// Entries of the registers that it can find not to be ready, `READY` for none; only [`Issue::Pair`] has a second.
-    pub reads: [BoardEntry; 2],
-    /// Entry of the register that it writes, `SINK` if nobody looks at the result before it is ready.
+    /// Entry of the register that it writes, as in its [`Step`].
     pub write: BoardEntry,
     /// Cycles until the result can be used.
     pub latency: u8,
@@ -62,23 +96,10 @@ pub struct MicroOp {
     pub operands: u16,
 }
 
-/// The bank behind the last operation of a run: it never has a fetch left.
-const NO_BANK: u8 = u8::MAX;
-
 impl MicroOp {
     /// What stands behind the last operation of a run.
-    pub const END: Self = Self {
-        issue: Issue::End,
-        kind: Kind::Plain,
-        bank: NO_BANK,
-        pool: UNLIMITED,
-        reads: [READY; 2],
-        write: SINK,
-        latency: 0,
-        base: 0,
-        offset: 0,
-        operands: 0,
-    };
+    pub const END: Self =
+        Self { kind: Kind::Plain, pool: UNLIMITED, write: SINK, latency: 0, base: 0, offset: 0, operands: 0 };
 }
 
 /// Registers of an operation that do not fit in it, by their entries.

@@ -11,8 +11,9 @@ use crate::machine::program::Kind;
 /// What becomes of a request.
 enum Outcome {
     Served,
-    /// A cache bank is taken, or the queue for writes full; it tries again in the next cycle.
-    Refused,
+    /// A cache bank is taken, or the queue for writes full; it tries again in the next cycle. Its L1 has asked for so many lines
+    /// by now.
+    Refused(u32),
     /// The queue of the memory channel of this line is full.
     Full(u32),
 }
@@ -29,92 +30,111 @@ impl<W: Work> Chip<'_, W> {
         };
         let (before, from) = self.seats.split_at_mut(first as usize);
         for seat in from.iter_mut().chain(before) {
-            seat.tm
-                .outbox
-                .drain(..)
-                .for_each(|request| requests[(request.cycle - start) as usize].push(request));
+            for request in &seat.tm.outbox {
+                requests[(request.cycle - start) as usize].push(*request);
+            }
+            seat.tm.outbox.clear();
         }
         let wakes = wakes && !self.blocked.is_empty();
-        // What was refused in the slot before.
-        let mut refused = std::mem::take(&mut self.refused);
-        for (slot, now) in requests[..self.length as usize].iter_mut().enumerate() {
-            if now.is_empty() && refused.is_empty() && !wakes {
+        let mut waiting = std::mem::take(&mut self.waiting);
+        for (slot, new) in requests[..self.length as usize].iter_mut().enumerate() {
+            if new.is_empty() && waiting.is_empty() && !wakes {
                 continue;
             }
-            merge(now, &refused, place);
-            refused.clear();
+            let now = start + slot as u32;
+            put_before(&mut waiting, new, place);
+            new.clear();
             if wakes {
-                let cycle = start + slot as u32;
-                self.dram.advance(cycle);
+                self.dram.advance(now);
                 let seats = &mut self.seats;
-                self.blocked.wake(&self.dram, place, |mut request| {
-                    seats[usize::from(request.tm)].tm.cycles.memory += u64::from(cycle - request.cycle);
-                    request.cycle = cycle;
-                    now.push(request);
+                self.blocked.wake(&self.dram, place, |request| {
+                    seats[usize::from(request.tm)].tm.cycles.memory += u64::from(now - request.cycle);
+                    waiting.push(request);
                 });
-                now.sort_by_key(place);
+                waiting.sort_by_key(place);
             }
-            for mut request in now.drain(..) {
-                match self.serve_one(&mut request, slot) {
-                    Outcome::Served => continue,
-                    Outcome::Full(line) => {
-                        self.blocked.add(self.dram.channel(line), line, request);
-                        continue;
+            let mut kept = 0;
+            for at in 0..waiting.len() {
+                let mut request = waiting[at];
+                if !self.refuses(&request, slot) {
+                    match self.serve_one(Request { cycle: now, ..request }, slot) {
+                        Outcome::Served => continue,
+                        Outcome::Refused(lines_asked) => request.missed = lines_asked,
+                        Outcome::Full(line) => {
+                            self.blocked.add(
+                                self.dram.channel(line),
+                                line,
+                                Request { cycle: now, ..request },
+                            );
+                            continue;
+                        }
                     }
-                    Outcome::Refused => {}
                 }
-                let tm = &mut self.seats[usize::from(request.tm)].tm;
-                // Nothing else can happen to its thread before it tries again.
-                if slot + 1 < self.length as usize {
-                    tm.cycles.memory += 1;
-                    request.cycle += 1;
-                    refused.push(request);
-                } else {
-                    tm.refused(request);
-                }
+                self.seats[usize::from(request.tm)].tm.cycles.memory += 1;
+                waiting[kept] = request;
+                kept += 1;
             }
+            waiting.truncate(kept);
         }
-        (self.requests, self.refused) = (requests, refused);
+        // Nothing else could happen to their threads before.
+        let last = start + self.length - 1;
+        for request in waiting.drain(..) {
+            self.seats[usize::from(request.tm)].tm.refused(Request { cycle: last, ..request });
+        }
+        (self.requests, self.waiting) = (requests, waiting);
     }
 
-    /// Serves a request of this slot, if it can.
-    fn serve_one(&mut self, request: &mut Request, slot: usize) -> Outcome {
+    /// Whether a cache bank that `request` needs in this slot is taken: what becomes of most of them while many wait.
+    #[inline(always)]
+    fn refuses(&mut self, request: &Request, slot: usize) -> bool {
+        if request.kind == Kind::Counter {
+            return false;
+        }
+        let seat = &mut self.seats[usize::from(request.tm)];
+        let (l1, l2) = (&mut seat.tm.l1, &mut self.l2s[seat.partition]);
+        let by_l1 = l1.refuses(slot, request.address);
+        // A line that the L1 did not have is there or under way only after the L1 has asked for another.
+        let by_l2 = !by_l1 & (request.missed == l1.lines_asked) & l2.is_taken(slot, request.address);
+        l2.counts.bank_conflicts += u64::from(by_l2);
+        by_l1 | by_l2
+    }
+
+    /// Serves a request of this slot that its banks do not refuse, if it can.
+    #[inline(never)]
+    fn serve_one(&mut self, request: Request, slot: usize) -> Outcome {
         let (number, program, now) = (usize::from(request.tm), self.program, request.cycle);
         if request.kind == Kind::Counter {
-            let item = self.take_item(*request);
+            let item = self.take_item(request);
             let seat = &mut self.seats[number];
             seat.items[usize::from(request.thread)] = item;
-            seat.tm.served(program, *request, now + 1);
+            seat.tm.served(program, request, now + 1);
             return Outcome::Served;
         }
         let seat = &mut self.seats[number];
         let tm = &mut seat.tm;
         let l2 = &mut self.l2s[seat.partition];
-        if tm.l1.refuses(slot, request.address) {
-            return Outcome::Refused;
-        }
-        // A line that the L1 did not have is there or under way only after the L1 has asked for another.
-        if request.kind == Kind::Load
-            && request.missed != tm.l1.lines_asked
-            && let Access::Served(ready) = tm.load_now(program, *request, slot)
-        {
-            tm.served(program, *request, ready);
-            return Outcome::Served;
-        }
-        request.missed = tm.l1.lines_asked;
-        if !l2.is_free(slot, request.address) {
-            return Outcome::Refused;
+        if request.missed != tm.l1.lines_asked {
+            if request.kind == Kind::Load
+                && let Access::Served(ready) = tm.load_now(program, request, slot)
+            {
+                tm.served(program, request, ready);
+                return Outcome::Served;
+            }
+            if l2.is_taken(slot, request.address) {
+                l2.counts.bank_conflicts += 1;
+                return Outcome::Refused(tm.l1.lines_asked);
+            }
         }
         let line = request.address >> self.line_shift;
         self.dram.advance(now);
         if request.kind == Kind::Store {
             if !self.dram.write(now, line) {
-                return Outcome::Refused;
+                return Outcome::Refused(tm.l1.lines_asked);
             }
             l2.take(slot, request.address);
             l2.counts.stores += 1;
             tm.l1.stored(slot, request.address);
-            tm.served(program, *request, now + 1);
+            tm.served(program, request, now + 1);
             return Outcome::Served;
         }
         let hit = l2.hit(now, line);
@@ -134,27 +154,27 @@ impl<W: Work> Chip<'_, W> {
         l2.take(slot, request.address);
         l2.counts.loads += 1;
         l2.counts.hits += u64::from(hit);
-        tm.taken(program, *request, slot, arrival);
-        tm.served(program, *request, arrival);
+        tm.taken(program, request, slot, arrival);
+        tm.served(program, request, arrival);
         Outcome::Served
     }
 }
 
-/// Merges `later` into `requests`, both in order of place, behind those of the same place.
-fn merge(requests: &mut Vec<Request>, later: &[Request], place: impl Fn(&Request) -> u32) {
-    let (mut these, mut those) = (requests.len(), later.len());
-    requests.extend_from_slice(later);
-    if these == 0 {
+/// Puts `new` among `waiting`, both in order of place, before those of the same place.
+fn put_before(waiting: &mut Vec<Request>, new: &[Request], place: impl Fn(&Request) -> u32) {
+    let (mut old, mut rest) = (waiting.len(), new.len());
+    waiting.extend_from_slice(new);
+    if old == 0 {
         return;
     }
-    while those > 0 {
-        let last = later[those - 1];
-        if these > 0 && place(&requests[these - 1]) > place(&last) {
-            these -= 1;
-            requests[these + those] = requests[these];
+    while rest > 0 {
+        let last = new[rest - 1];
+        if old > 0 && place(&waiting[old - 1]) >= place(&last) {
+            old -= 1;
+            waiting[old + rest] = waiting[old];
         } else {
-            those -= 1;
-            requests[these + those] = last;
+            rest -= 1;
+            waiting[old + rest] = last;
         }
     }
 }
@@ -164,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn requests_of_one_place_stay_in_order_when_they_are_merged() {
+    fn of_one_place_the_newest_request_comes_first() {
         let request = |&(tm, thread): &(u16, u8)| Request {
             cycle: 0,
             tm,
@@ -173,17 +193,17 @@ mod tests {
             address: 0,
             missed: 0,
         };
-        let merged = |these: &[(u16, u8)], those: &[(u16, u8)]| {
-            let mut requests: Vec<Request> = these.iter().map(request).collect();
-            let later: Vec<Request> = those.iter().map(request).collect();
-            merge(&mut requests, &later, |request| request.tm.into());
-            requests.iter().map(|request| (request.tm, request.thread)).collect::<Vec<_>>()
+        let put = |new: &[(u16, u8)], waiting: &[(u16, u8)]| {
+            let new: Vec<Request> = new.iter().map(request).collect();
+            let mut waiting: Vec<Request> = waiting.iter().map(request).collect();
+            put_before(&mut waiting, &new, |request| request.tm.into());
+            waiting.iter().map(|request| (request.tm, request.thread)).collect::<Vec<_>>()
         };
         assert_eq!(
-            merged(&[(1, 0), (3, 1)], &[(0, 2), (1, 3), (2, 4), (3, 5), (4, 6)]),
+            put(&[(1, 0), (3, 1)], &[(0, 2), (1, 3), (2, 4), (3, 5), (4, 6)]),
             [(0, 2), (1, 0), (1, 3), (2, 4), (3, 1), (3, 5), (4, 6)]
         );
-        assert_eq!(merged(&[], &[(1, 0), (1, 1)]), [(1, 0), (1, 1)]);
-        assert_eq!(merged(&[(2, 0)], &[]), [(2, 0)]);
+        assert_eq!(put(&[], &[(1, 0), (1, 1)]), [(1, 0), (1, 1)]);
+        assert_eq!(put(&[(2, 0)], &[]), [(2, 0)]);
     }
 }
