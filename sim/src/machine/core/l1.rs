@@ -43,8 +43,8 @@ pub enum Access {
     Served(u32),
     /// The bank is taken.
     Refused,
-    /// The chip has to serve it.
-    Ask,
+    /// The chip has to serve it; see [`super::tm::Request::missed`].
+    Ask(u32),
 }
 
 impl L1 {
@@ -114,10 +114,10 @@ impl L1 {
             return (Access::Refused, slot);
         }
         if self.asked.is_taken(slot, address) {
-            return (Access::Ask, slot);
+            return (Access::Ask(u32::MAX), slot);
         }
         let access = self.load_now(start + slot as u32, slot, address, target);
-        if access == Access::Ask {
+        if let Access::Ask(_) = access {
             self.asked.take(slot, address);
         }
         (access, slot)
@@ -144,7 +144,7 @@ impl L1 {
                 Access::Served(arrival + self.latency_cycles)
             }
             // It has been replaced since.
-            _ => Access::Ask,
+            _ => Access::Ask(self.lines_asked),
         }
     }
 
@@ -162,7 +162,7 @@ impl L1 {
             return Access::Refused;
         }
         self.asked.take(slot, address);
-        Access::Ask
+        Access::Ask(u32::MAX)
     }
 
     /// Whether the bank of `address` is taken in slot `slot` by what the L1 has served or the chip has taken, which refuses a

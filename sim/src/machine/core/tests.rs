@@ -270,7 +270,7 @@ fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
     let mut l1 = L1::new(&machine);
     l1.begin(0);
     // A line that arrives in cycle 4 can be joined a cycle before, and is held from then on.
-    assert_eq!(l1.load_now(0, 0, 64, target), Access::Ask);
+    assert_eq!(l1.load_now(0, 0, 64, target), Access::Ask(0));
     l1.taken(0, 0, 64, 4, target);
     assert!(l1.refuses(0, 64 + 8), "the same bank in the same cycle");
     assert!(!l1.refuses(0, 64 + 7) && !l1.refuses(1, 64 + 8));

@@ -73,8 +73,8 @@ pub enum Stop {
     Waits,
     /// The multiprocessor has to issue the operation; it has been fetched, and its first operand is ready.
     Other,
-    /// The operation is a load for the chip.
-    Asks,
+    /// The operation is a load for the chip, as in [`Access::Ask`].
+    Asks(u32),
     /// The run is over.
     Over,
 }
@@ -201,7 +201,7 @@ impl Thread {
                     cycles.memory += u64::from(self.time - now);
                     match access {
                         Access::Served(ready) => ready,
-                        Access::Ask => break Stop::Asks,
+                        Access::Ask(missed) => break Stop::Asks(missed),
                         Access::Refused => break Stop::Waits,
                     }
                 }

@@ -40,7 +40,7 @@ pub struct Request {
     pub kind: Kind,
     /// Word address.
     pub address: u32,
-    /// Lines that the L1 had asked for when it did not have this one.
+    /// Lines that the L1 had asked for when it did not have this one, `u32::MAX` if it has not been looked up.
     pub missed: u32,
 }
 
@@ -213,9 +213,10 @@ impl Tm {
                         return;
                     }
                 }
-                Stop::Asks => {
+                Stop::Asks(missed) => {
                     let op = &program.code.ops[thread.pc as usize];
                     let request = Request::new(thread.time, self.number, number, op.kind, thread.address(op));
+                    let request = Request { missed, ..request };
                     thread.state = State::Asks;
                     self.outbox.push(request);
                     return;
@@ -276,9 +277,10 @@ impl Tm {
                         thread.time += 1;
                         return true;
                     }
-                    Access::Ask => {
+                    Access::Ask(missed) => {
                         thread.state = State::Asks;
-                        self.outbox.push(Request::new(now, self.number, number, op.kind, address));
+                        let request = Request::new(now, self.number, number, op.kind, address);
+                        self.outbox.push(Request { missed, ..request });
                         return false;
                     }
                 }
