@@ -8,6 +8,9 @@ use super::tm::QUANTUM;
 use crate::machine::description::MachineDescription;
 use crate::machine::program::BoardEntry;
 
+/// As many lines as no L1 has asked for: it has not been looked up.
+pub const NOT_LOOKED_UP: u32 = u32::MAX;
+
 /// A multiprocessor's data cache. Times within the current quantum are slots.
 #[derive(Clone, Debug)]
 pub struct L1 {
@@ -114,7 +117,7 @@ impl L1 {
             return (Access::Refused, slot);
         }
         if self.asked.is_taken(slot, address) {
-            return (Access::Ask(u32::MAX), slot);
+            return (Access::Ask(NOT_LOOKED_UP), slot);
         }
         let access = self.load_now(start + slot as u32, slot, address, target);
         if let Access::Ask(_) = access {
@@ -162,7 +165,7 @@ impl L1 {
             return Access::Refused;
         }
         self.asked.take(slot, address);
-        Access::Ask(u32::MAX)
+        Access::Ask(NOT_LOOKED_UP)
     }
 
     /// Whether the bank of `address` is taken in slot `slot` by what the L1 has served or the chip has taken, which refuses a

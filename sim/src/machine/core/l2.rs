@@ -31,10 +31,16 @@ impl L2 {
         self.lines.arrives(line, cycle);
     }
 
-    /// Whether the bank of word `address` is taken in slot `slot`.
+    /// Whether the bank of word `address` is taken in slot `slot`, which refuses a request.
+    ///
+    /// With a branch: added as `u64::from(..)`, the count is lost in optimized code of rustc 1.95 where a caller branches on it.
     #[inline(always)]
-    pub fn is_taken(&self, slot: usize, address: u32) -> bool {
-        self.busy.is_taken(slot, address)
+    pub fn refuses(&mut self, slot: usize, address: u32) -> bool {
+        if self.busy.is_taken(slot, address) {
+            self.counts.bank_conflicts += 1;
+            return true;
+        }
+        false
     }
 
     /// Takes the bank of word `address` in slot `slot`, for an access that is served.

@@ -200,6 +200,22 @@ fn every_thread_cycle_is_in_one_class_and_stores_merge_or_count() {
 }
 
 #[test]
+fn every_cycle_that_waits_for_memory_is_a_refusal_that_one_cache_counts() {
+    // Of loads of one word and stores, with room in the memory's queues.
+    let body = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3\nLOAD $6, $4, 40 #: data\nSTORE $3, $4, 1 #: data";
+    let queues = ["chip.tms_per_partition=4", "dram.read_queue=4096", "dram.write_queue=4096"];
+    for banks in
+        [["l2.banks=1", "l1.banks=8"], ["l2.banks=2", "l1.banks=2"], ["l2.banks=1", "l1.enabled=false"]]
+    {
+        let counts = run_at(&[&banks[..], &queues].concat(), 4000, body, |item| 64 + 37 * (item % 512));
+        assert_eq!(counts.dram.refused, 0, "{banks:?}");
+        assert!(counts.l2.bank_conflicts > 100, "{banks:?} {}", counts.l2.bank_conflicts);
+        let refusals = counts.l1.bank_conflicts + counts.l2.bank_conflicts;
+        assert_eq!(counts.thread_cycles.memory, refusals, "{banks:?}");
+    }
+}
+
+#[test]
 fn wide_loads_bring_adjacent_words_and_take_a_second_access_across_lines() {
     let four =
         "LOAD $3, $9, 0 #: data\nLOAD $4, $9, 1 #: data\nLOAD $5, $9, 2 #: data\nLOAD $6, $9, 3 #: data";
@@ -282,10 +298,10 @@ fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
 
     let mut l2 = L2::new(&machine.l2);
     l2.begin(0);
-    assert!(!l2.is_taken(0, 5));
+    assert!(!l2.refuses(0, 5));
     l2.take(0, 5);
-    assert!(l2.is_taken(0, 5 + machine.l2.banks), "the same bank in the same cycle");
-    assert!(!l2.is_taken(0, 6) && !l2.is_taken(1, 5));
+    assert!(l2.refuses(0, 5 + machine.l2.banks), "the same bank in the same cycle");
+    assert!(!l2.refuses(0, 6) && !l2.refuses(1, 5));
     l2.arrives(9, 6);
     assert!(!l2.hit(5, 9) && l2.hit(6, 9), "a line is held from the cycle of its arrival on");
 }

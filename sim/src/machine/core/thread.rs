@@ -107,7 +107,7 @@ impl Thread {
         }
     }
 
-    /// Asks the host for what it looks at first when it comes by: itself, and of its scoreboard as much as most programs use.
+    /// Asks the host for what it looks at first when it comes by: itself, and the first entries of its scoreboard.
     #[inline(always)]
     pub fn prefetch(&self) {
         prefetch(self, 3);

@@ -10,7 +10,7 @@
 //! that nothing asked for within a quantum arrives from there within it.
 
 use super::dram::Dram;
-use super::l1::{Access, L1, Target};
+use super::l1::{Access, L1, NOT_LOOKED_UP, Target};
 use super::outstanding::Waiter;
 use super::slots::{self, Slots};
 use super::stats::ThreadCycles;
@@ -40,13 +40,13 @@ pub struct Request {
     pub kind: Kind,
     /// Word address.
     pub address: u32,
-    /// Lines that the L1 had asked for when it did not have this one, `u32::MAX` if it has not been looked up.
+    /// Lines that the L1 had asked for when it did not have this one, or [`NOT_LOOKED_UP`].
     pub missed: u32,
 }
 
 impl Request {
-    fn new(cycle: u32, tm: u16, thread: usize, kind: Kind, address: u32) -> Self {
-        Self { cycle, tm, thread: thread as u8, kind, address, missed: u32::MAX }
+    fn new(cycle: u32, tm: u16, thread: usize, kind: Kind, address: u32, missed: u32) -> Self {
+        Self { cycle, tm, thread: thread as u8, kind, address, missed }
     }
 }
 
@@ -215,8 +215,8 @@ impl Tm {
                 }
                 Stop::Asks(missed) => {
                     let op = &program.code.ops[thread.pc as usize];
-                    let request = Request::new(thread.time, self.number, number, op.kind, thread.address(op));
-                    let request = Request { missed, ..request };
+                    let (now, address) = (thread.time, thread.address(op));
+                    let request = Request::new(now, self.number, number, op.kind, address, missed);
                     thread.state = State::Asks;
                     self.outbox.push(request);
                     return;
@@ -250,7 +250,7 @@ impl Tm {
             Kind::Plain | Kind::Nop => now + u32::from(op.latency),
             Kind::Counter => {
                 thread.state = State::Asks;
-                self.outbox.push(Request::new(now, self.number, number, op.kind, 0));
+                self.outbox.push(Request::new(now, self.number, number, op.kind, 0, NOT_LOOKED_UP));
                 return false;
             }
             Kind::Load | Kind::Store => {
@@ -279,8 +279,8 @@ impl Tm {
                     }
                     Access::Ask(missed) => {
                         thread.state = State::Asks;
-                        let request = Request::new(now, self.number, number, op.kind, address);
-                        self.outbox.push(Request { missed, ..request });
+                        let request = Request::new(now, self.number, number, op.kind, address, missed);
+                        self.outbox.push(request);
                         return false;
                     }
                 }

@@ -55,17 +55,13 @@ impl<W: Work> Chip<'_, W> {
             }
             let mut kept = 0;
             for at in 0..waiting.len() {
-                let mut request = waiting[at];
+                let mut request = Request { cycle: now, ..waiting[at] };
                 if !self.refuses(&request, slot) {
-                    match self.serve_one(Request { cycle: now, ..request }, slot) {
+                    match self.serve_one(request, slot) {
                         Outcome::Served => continue,
                         Outcome::Refused(lines_asked) => request.missed = lines_asked,
                         Outcome::Full(line) => {
-                            self.blocked.add(
-                                self.dram.channel(line),
-                                line,
-                                Request { cycle: now, ..request },
-                            );
+                            self.blocked.add(self.dram.channel(line), line, request);
                             continue;
                         }
                     }
@@ -77,9 +73,8 @@ impl<W: Work> Chip<'_, W> {
             waiting.truncate(kept);
         }
         // Nothing else could happen to their threads before.
-        let last = start + self.length - 1;
         for request in waiting.drain(..) {
-            self.seats[usize::from(request.tm)].tm.refused(Request { cycle: last, ..request });
+            self.seats[usize::from(request.tm)].tm.refused(request);
         }
         (self.requests, self.waiting) = (requests, waiting);
     }
@@ -92,14 +87,13 @@ impl<W: Work> Chip<'_, W> {
         }
         let seat = &mut self.seats[usize::from(request.tm)];
         let (l1, l2) = (&mut seat.tm.l1, &mut self.l2s[seat.partition]);
-        let by_l1 = l1.refuses(slot, request.address);
         // A line that the L1 did not have is there or under way only after the L1 has asked for another.
-        let by_l2 = !by_l1 & (request.missed == l1.lines_asked) & l2.is_taken(slot, request.address);
-        l2.counts.bank_conflicts += u64::from(by_l2);
-        by_l1 | by_l2
+        l1.refuses(slot, request.address)
+            || request.missed == l1.lines_asked && l2.refuses(slot, request.address)
     }
 
-    /// Serves a request of this slot that its banks do not refuse, if it can.
+    /// Serves a request of this slot that its banks do not refuse, if it can. Apart from the loop over those that they refuse,
+    /// which are far more.
     #[inline(never)]
     fn serve_one(&mut self, request: Request, slot: usize) -> Outcome {
         let (number, program, now) = (usize::from(request.tm), self.program, request.cycle);
@@ -120,8 +114,7 @@ impl<W: Work> Chip<'_, W> {
                 tm.served(program, request, ready);
                 return Outcome::Served;
             }
-            if l2.is_taken(slot, request.address) {
-                l2.counts.bank_conflicts += 1;
+            if l2.refuses(slot, request.address) {
                 return Outcome::Refused(tm.l1.lines_asked);
             }
         }
