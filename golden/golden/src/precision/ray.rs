@@ -1,0 +1,116 @@
+//! A ray in a narrow format.
+
+use super::{NarrowArithmetic, Scale, Variant};
+use crate::ray::{PlaneDistances, TraversalRay};
+use fp::Rounding;
+
+/// A ray as the pipelines of a narrow format see it; coordinates and distances in the format's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NarrowRay {
+    arithmetic: NarrowArithmetic,
+    scale: Scale,
+    variant: Variant,
+    /// What is subtracted from the planes of entry: the bound of the origin that makes distances least.
+    pub origin_entry: [f32; 3],
+    /// What is subtracted from the planes of exit.
+    pub origin_exit: [f32; 3],
+    /// Reciprocals for planes where the ray enters; their sign bits say which side of a box is entered first.
+    pub inv_entry: [f32; 3],
+    /// Reciprocals for planes where the ray leaves.
+    pub inv_exit: [f32; 3],
+    /// Least distance.
+    pub t_min: f32,
+    /// Greatest distance.
+    pub t_max: f32,
+}
+
+impl NarrowRay {
+    /// `ray` in the format of `arithmetic`; `ray` is prepared in [`Variant::mode`].
+    #[must_use]
+    pub fn new(ray: &TraversalRay, arithmetic: NarrowArithmetic, scale: Scale, variant: Variant) -> Self {
+        let (round, keep) = (|x: f64, r: Rounding| arithmetic.round(x, r), Rounding::NearestEven);
+        // Doubles hold 1/d closely enough: it is no 25-bit number unless d is a power of two, and then it is exact.
+        let reciprocal = |k: usize| f64::from(ray.inv_entry[k]).signum() / f64::from(ray.direction[k].abs());
+        let negative = |k: usize| ray.is_negative(k);
+        let origin = |k: usize, exit: bool| {
+            let origin = scale.scaled(ray.origin[k]);
+            match variant {
+                Variant::Naive => round(origin, keep),
+                Variant::Conservative => round(origin, against(difference_rounding(negative(k), exit))),
+            }
+        };
+        Self {
+            arithmetic,
+            scale,
+            variant,
+            origin_entry: std::array::from_fn(|k| origin(k, false)),
+            origin_exit: std::array::from_fn(|k| origin(k, true)),
+            inv_entry: std::array::from_fn(|k| match variant {
+                Variant::Naive => round(reciprocal(k), keep),
+                Variant::Conservative => round(reciprocal(k), Rounding::TowardZero),
+            }),
+            inv_exit: std::array::from_fn(|k| match variant {
+                Variant::Naive => round(reciprocal(k), keep),
+                Variant::Conservative => {
+                    let away = if negative(k) { Rounding::Down } else { Rounding::Up };
+                    round(f64::from(ray.inv_exit[k]), away)
+                }
+            }),
+            t_min: round(scale.scaled(ray.t_min), by(variant, Rounding::Down)),
+            t_max: round(scale.scaled(ray.t_max), by(variant, Rounding::Up)),
+        }
+    }
+
+    /// A distance in scene units that nothing beyond can be nearer than, in the format's units.
+    #[inline]
+    #[must_use]
+    pub fn limit(&self, t: f32) -> f32 {
+        self.arithmetic.round(self.scale.scaled(t), by(self.variant, Rounding::Up))
+    }
+
+    #[inline(always)]
+    fn distance(&self, difference: f32, inv: f32, rounding: Rounding) -> f32 {
+        self.arithmetic.multiply(difference, inv, by(self.variant, rounding))
+    }
+}
+
+impl PlaneDistances for NarrowRay {
+    #[inline(always)]
+    fn is_negative(&self, axis: usize) -> bool {
+        self.inv_entry[axis].is_sign_negative()
+    }
+
+    #[inline]
+    fn entry(&self, plane: f32, axis: usize) -> f32 {
+        let rounding = by(self.variant, difference_rounding(self.is_negative(axis), false));
+        let difference = self.arithmetic.subtract(plane, self.origin_entry[axis], rounding);
+        self.distance(difference, self.inv_entry[axis], Rounding::Down)
+    }
+
+    #[inline]
+    fn exit(&self, plane: f32, axis: usize) -> f32 {
+        let rounding = by(self.variant, difference_rounding(self.is_negative(axis), true));
+        let difference = self.arithmetic.subtract(plane, self.origin_exit[axis], rounding);
+        self.distance(difference, self.inv_exit[axis], Rounding::Up)
+    }
+}
+
+/// The direction in which `plane - origin` is rounded: down for a min plane, up for a max plane.
+#[inline(always)]
+fn difference_rounding(negative: bool, exit: bool) -> Rounding {
+    if negative == exit { Rounding::Down } else { Rounding::Up }
+}
+
+/// What is subtracted is rounded against the difference.
+fn against(rounding: Rounding) -> Rounding {
+    if rounding == Rounding::Down { Rounding::Up } else { Rounding::Down }
+}
+
+/// `directed` for bounds, to nearest for the naive variant.
+#[inline(always)]
+fn by(variant: Variant, directed: Rounding) -> Rounding {
+    match variant {
+        Variant::Naive => Rounding::NearestEven,
+        Variant::Conservative => directed,
+    }
+}

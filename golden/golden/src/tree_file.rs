@@ -1,0 +1,288 @@
+//! Structures on disk.
+//!
+//! | bytes | content |
+//! |---|---|
+//! | 8 | `DSTREE` and two decimal digits of the version, `01` |
+//! | 4 | 0 for a dual-split tree, else the width of a hierarchy of boxes: 2, 4 or 8 |
+//! | 4 | word 0 of the root of a hierarchy of boxes, else 0 |
+//! | 24 | the root box: minimum, maximum |
+//! | 8, 8 | number of 32-bit words of the nodes, number of triangles |
+//! | | the nodes, then the triangles, as they lie in memory |
+//! | 4 | CRC-32 of all bytes before |
+//!
+//! All numbers are little-endian. A file is loaded only if the checksum holds and the structure validates, so that damage
+//! and forgery end in an error and never in a traversal.
+
+use crate::Aabb;
+use crate::bvh::{Bvh, BvhDefect, BvhNode};
+use crate::dst::{Dst, DstDefect};
+use crate::structure::Structure;
+use crate::triangle::Triangle;
+use base::output::{WriteError, write_file};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+const MAGIC: &[u8; 6] = b"DSTREE";
+const VERSION: &[u8; 2] = b"01";
+const HEADER_BYTES: usize = 8 + 4 + 4 + 24 + 8 + 8;
+const CHECKSUM_BYTES: usize = 4;
+
+/// Why a tree file cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum TreeFileError {
+    /// The file system refuses.
+    #[error("{}: cannot read ({source})", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The contents are not a tree file of this version, or are damaged.
+    #[error("{}: {reason}; save the tree again with this version", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: Damage,
+    },
+}
+
+/// What is wrong with a file's contents.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Damage {
+    /// The first bytes are not those of a tree file.
+    #[error("not a dual-split tree file")]
+    Magic,
+    /// The file is of another version.
+    #[error("version {0:?} is not \"01\"")]
+    Version(String),
+    /// There are more or fewer bytes than the header says.
+    #[error("{found} bytes, the header says {expected}")]
+    Length {
+        /// Bytes in the file.
+        found: usize,
+        /// Bytes that the header's counts give.
+        expected: u128,
+    },
+    /// The checksum does not fit the contents.
+    #[error("the checksum is {found:08x}, the contents give {expected:08x}")]
+    Checksum {
+        /// The stored one.
+        found: u32,
+        /// The computed one.
+        expected: u32,
+    },
+    /// There is no such structure.
+    #[error("structure code {0} is none of 0, 2, 4, 8")]
+    Kind(u32),
+    /// The nodes are no hierarchy of boxes.
+    #[error(transparent)]
+    Bvh(#[from] BvhDefect),
+    /// The nodes are no dual-split tree.
+    #[error(transparent)]
+    Dst(#[from] DstDefect),
+    /// A triangle has a corner that is infinite or not a number, or a word that is none.
+    #[error("triangle {0} is not one")]
+    Triangle(usize),
+}
+
+/// Writes `structure` to `path`, whole or not at all; an existing file is replaced only if `force` is set.
+///
+/// # Errors
+/// See [`WriteError`].
+pub fn save(structure: &Structure, path: &Path, force: bool) -> Result<(), WriteError> {
+    write_file(path, force, |out| out.write_all(&to_bytes(structure)))
+}
+
+/// Reads the structure in `path`.
+///
+/// # Errors
+/// [`TreeFileError`], naming the file.
+pub fn load(path: &Path) -> Result<Structure, TreeFileError> {
+    let bytes = std::fs::read(path).map_err(|source| TreeFileError::Io { path: path.to_owned(), source })?;
+    from_bytes(&bytes).map_err(|reason| TreeFileError::Damaged { path: path.to_owned(), reason })
+}
+
+/// The contents of the file of `structure`.
+#[must_use]
+pub fn to_bytes(structure: &Structure) -> Vec<u8> {
+    fn boxes<const N: usize>(bvh: &Bvh<N>) -> (u32, u32, &Aabb, &[u32], &[Triangle]) {
+        (N as u32, bvh.root, &bvh.root_box, bytemuck::cast_slice(&bvh.nodes), &bvh.triangles)
+    }
+    let (code, root, root_box, words, triangles) = match structure {
+        Structure::Bvh2(bvh) => boxes(bvh),
+        Structure::Bvh4(bvh) => boxes(bvh),
+        Structure::Bvh8(bvh) => boxes(bvh),
+        Structure::Dst(dst) => (0, 0, &dst.root_box, dst.words(), &dst.triangles[..]),
+    };
+    let mut bytes = vec![];
+    bytes.extend(MAGIC);
+    bytes.extend(VERSION);
+    let triangle_words: &[u32] = bytemuck::cast_slice(triangles);
+    for word in [code, root].into_iter().chain(root_box.to_bits()) {
+        bytes.extend(word.to_le_bytes());
+    }
+    for count in [words.len(), triangles.len()] {
+        bytes.extend((count as u64).to_le_bytes());
+    }
+    for word in words.iter().chain(triangle_words) {
+        bytes.extend(word.to_le_bytes());
+    }
+    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
+    bytes
+}
+
+/// The structure in a file's contents.
+///
+/// # Errors
+/// [`Damage`].
+pub fn from_bytes(bytes: &[u8]) -> Result<Structure, Damage> {
+    if bytes.len() < HEADER_BYTES + CHECKSUM_BYTES || &bytes[..MAGIC.len()] != MAGIC {
+        return Err(Damage::Magic);
+    }
+    if &bytes[MAGIC.len()..8] != VERSION {
+        return Err(Damage::Version(String::from_utf8_lossy(&bytes[MAGIC.len()..8]).into_owned()));
+    }
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes"));
+    let count =
+        |at: usize| u128::from(u64::from_le_bytes(bytes[at..at + 8].try_into().expect("eight bytes")));
+    let (node_words, triangles) = (count(HEADER_BYTES - 16), count(HEADER_BYTES - 8));
+    let payload = 4 * (node_words + triangles * u128::from(Triangle::WORDS));
+    let expected = (HEADER_BYTES + CHECKSUM_BYTES) as u128 + payload;
+    if bytes.len() as u128 != expected {
+        return Err(Damage::Length { found: bytes.len(), expected });
+    }
+    let (found, expected) =
+        (word(bytes.len() - CHECKSUM_BYTES), crc32fast::hash(&bytes[..bytes.len() - CHECKSUM_BYTES]));
+    if found != expected {
+        return Err(Damage::Checksum { found, expected });
+    }
+
+    let (code, root) = (word(8), word(12));
+    let side = |at: usize| std::array::from_fn(|k| f32::from_bits(word(at + 4 * k)));
+    let root_box = Aabb { min: side(16), max: side(28) };
+    let nodes_end = HEADER_BYTES + 4 * node_words as usize;
+    let words: Vec<u32> = (HEADER_BYTES..nodes_end).step_by(4).map(word).collect();
+    let triangle_words: Vec<u32> = (nodes_end..bytes.len() - CHECKSUM_BYTES).step_by(4).map(word).collect();
+    let triangles: Arc<[Triangle]> = bytemuck::cast_slice(&triangle_words).into();
+    if let Some(slot) = triangles.iter().position(|triangle| !triangle.is_valid()) {
+        return Err(Damage::Triangle(slot));
+    }
+    match code {
+        0 => {
+            let dst = Dst::new(root_box, words, triangles);
+            dst.validate_alone()?;
+            Ok(Structure::Dst(dst))
+        }
+        2 => Ok(Structure::Bvh2(boxes(root_box, root, &words, triangles)?)),
+        4 => Ok(Structure::Bvh4(boxes(root_box, root, &words, triangles)?)),
+        8 => Ok(Structure::Bvh8(boxes(root_box, root, &words, triangles)?)),
+        other => Err(Damage::Kind(other)),
+    }
+}
+
+fn boxes<const N: usize>(
+    root_box: Aabb,
+    root: u32,
+    words: &[u32],
+    triangles: Arc<[Triangle]>,
+) -> Result<Bvh<N>, Damage> {
+    let words_per_node = BvhNode::WORDS as usize;
+    if !words.len().is_multiple_of(words_per_node) {
+        let expected = words.len().next_multiple_of(words_per_node) as u128 * 4;
+        return Err(Damage::Length { found: words.len() * 4, expected });
+    }
+    let nodes = bytemuck::cast_slice(words).to_vec();
+    let bvh = Bvh { root_box, root, nodes, triangles };
+    bvh.validate()?;
+    Ok(bvh)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::build::{BuildOptions, build};
+    use crate::structure::{StructureKind, pack_triangles};
+    use scenes::Mesh;
+
+    fn structures() -> Vec<Structure> {
+        let positions = (0..300).map(|i| {
+            let x = i as f32;
+            [x * 0.37 % 5.0, x * 1.71 % 7.0, x * 2.93 % 3.0]
+        });
+        let triangles = (0..100).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+        let mesh = Mesh { positions: positions.collect(), triangles: triangles.collect() };
+        let tree = build(&mesh, &BuildOptions::default()).unwrap();
+        let triangles = pack_triangles(&mesh, &tree);
+        StructureKind::ALL.iter().map(|kind| Structure::convert(*kind, &tree, &triangles).unwrap()).collect()
+    }
+
+    fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
+        let end = bytes.len() - CHECKSUM_BYTES;
+        let crc = crc32fast::hash(&bytes[..end]);
+        bytes[end..].copy_from_slice(&crc.to_le_bytes());
+        bytes
+    }
+
+    #[test]
+    fn what_is_saved_is_loaded() {
+        let folder = tempfile::tempdir().unwrap();
+        for structure in structures() {
+            let path = folder.path().join(structure.kind().name());
+            save(&structure, &path, false).unwrap();
+            assert!(matches!(save(&structure, &path, false), Err(WriteError::Exists(_))));
+            save(&structure, &path, true).unwrap();
+            let loaded = load(&path).unwrap();
+            assert_eq!(to_bytes(&loaded), to_bytes(&structure));
+        }
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), StructureKind::ALL.len());
+    }
+
+    #[test]
+    fn every_flipped_bit_and_every_cut_is_noticed() {
+        for structure in structures() {
+            let bytes = to_bytes(&structure);
+            for bit in (0..8 * bytes.len()).step_by(5) {
+                let mut damaged = bytes.clone();
+                damaged[bit / 8] ^= 1 << (bit % 8);
+                assert!(from_bytes(&damaged).is_err(), "bit {bit}");
+            }
+            for length in (0..bytes.len()).step_by(7) {
+                assert!(from_bytes(&bytes[..length]).is_err(), "{length} bytes");
+            }
+        }
+    }
+
+    #[test]
+    fn forged_nodes_never_get_as_far_as_a_traversal() {
+        use crate::traverse::Trace;
+        use crate::{Mode, Ray};
+        let ray = Ray::new([-1.0, 2.0, 1.0], [1.0, 0.3, 0.2]);
+        for structure in structures() {
+            let bytes = to_bytes(&structure);
+            let nodes = structure.node_bytes();
+            for bit in (8 * HEADER_BYTES..8 * (HEADER_BYTES + nodes)).step_by(3) {
+                let mut forged = bytes.clone();
+                forged[bit / 8] ^= 1 << (bit % 8);
+                // A split's plane that a carve repeats may move: what validates still is a tree over the triangles.
+                if let Ok(forged) = from_bytes(&with_checksum(forged)) {
+                    assert_eq!(forged.closest(&ray, Mode::Robust), structure.closest(&ray, Mode::Robust));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn errors_name_the_file_and_the_damage() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("tree");
+        assert!(matches!(load(&path).unwrap_err(), TreeFileError::Io { .. }));
+        let mut bytes = to_bytes(&structures()[0]);
+        bytes[7] = b'9';
+        std::fs::write(&path, &bytes).unwrap();
+        let message = load(&path).unwrap_err().to_string();
+        assert!(message.contains("tree") && message.contains("version"), "{message}");
+    }
+}

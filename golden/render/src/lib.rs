@@ -1,0 +1,229 @@
+//! The two rendering tests: where the rays come from that everything is measured with.
+//!
+//! * [`Test::Raycast`]: a primary ray per sample and a shadow ray to the point light where it hits.
+//! * [`Test::Path`]: path tracing with [`DIFFUSE_BOUNCES`] diffuse bounces, cosine-weighted, and a shadow ray from every
+//!   vertex (next-event estimation).
+//!
+//! A picture depends on the scene and on [`RenderOptions`] alone: not on the structure, the number of threads nor
+//! the machine. All structures find the same hits bit for bit; every sample is drawn from a sequence of its own;
+//! sine, cosine and tangent come from `libm`; sums have a fixed order.
+//!
+//! Surfaces are grey and diffuse ([`ALBEDO`]). The normal is that of the triangle, turned towards the ray. A shadow ray
+//! is cast only where the light is above the surface.
+
+mod camera;
+mod integrate;
+mod output;
+pub mod ray_file;
+mod sampling;
+mod stream;
+mod surface;
+
+pub use camera::{CameraError, CameraRays};
+pub use output::{ClassTotals, Pixel, Rendering, Work};
+pub use stream::{RayClass, RayStream, Wave};
+pub use surface::{OFFSET_ULPS, Surface};
+
+use golden::ray::Mode;
+use golden::traverse::Trace;
+use scenes::Scene;
+use std::fmt;
+
+/// Bounces of a path after its primary ray.
+pub const DIFFUSE_BOUNCES: usize = 5;
+
+/// The fraction of light that every surface reflects.
+pub const ALBEDO: f64 = 0.7;
+
+/// The greatest width and height of an image.
+pub const MAX_SIDE: u32 = 16_384;
+
+/// The greatest number of pixels, about 4 GiB of results.
+pub const MAX_PIXELS: u32 = 1 << 26;
+
+/// The greatest number of samples per pixel, the length of the sample sequence.
+pub const MAX_SAMPLES: u32 = 1 << 16;
+
+/// What is rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Test {
+    /// Primary and shadow rays.
+    Raycast,
+    /// Path tracing.
+    Path,
+}
+
+impl Test {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Raycast, Self::Path];
+
+    /// The test's name on the command line and in result files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Raycast => "raycast",
+            Self::Path => "path",
+        }
+    }
+
+    /// Bounces after the primary ray.
+    #[must_use]
+    pub fn bounces(self) -> usize {
+        match self {
+            Self::Raycast => 0,
+            Self::Path => DIFFUSE_BOUNCES,
+        }
+    }
+}
+
+impl fmt::Display for Test {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// How a scene is rendered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RenderOptions {
+    /// Which test.
+    pub test: Test,
+    /// Width of the image in pixels, 1 to [`MAX_SIDE`]; width times height is at most [`MAX_PIXELS`].
+    pub width: u32,
+    /// Height of the image in pixels, 1 to [`MAX_SIDE`].
+    pub height: u32,
+    /// Samples per pixel, 1 to [`MAX_SAMPLES`]; the first goes through the pixel's centre.
+    pub samples: u32,
+    /// Selects the sample sequences.
+    pub seed: u64,
+    /// How rays are traversed.
+    pub mode: Mode,
+    /// Radiance of rays that leave the scene, linear RGB.
+    pub background: [f32; 3],
+    /// Whether work is counted: [`Pixel::work`] and the counters of [`Rendering::totals`] stay zero without. Counting
+    /// visits node by node, which takes about twice as long.
+    pub count_work: bool,
+    /// Whether the rays are kept in [`Rendering::rays`], 32 bytes each.
+    pub keep_rays: bool,
+}
+
+impl RenderOptions {
+    /// `test` at `width` x `height`, one sample per pixel, a dim sky.
+    #[must_use]
+    pub fn new(test: Test, width: u32, height: u32) -> Self {
+        Self {
+            test,
+            width,
+            height,
+            samples: 1,
+            seed: 0,
+            mode: Mode::default(),
+            background: [0.24, 0.3, 0.4],
+            count_work: false,
+            keep_rays: false,
+        }
+    }
+}
+
+/// Why nothing is rendered.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RenderError {
+    /// The image is too small or too large.
+    #[error("size {width}x{height}: each side must be 1 to {MAX_SIDE} pixels, and all at most {MAX_PIXELS}")]
+    Size {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    },
+    /// The number of samples is out of range.
+    #[error("spp {0}: the number of samples per pixel must be 1 to {MAX_SAMPLES}")]
+    Samples(u32),
+    /// More rays would have to be kept than a ray file can hold.
+    #[error("up to {0} rays cannot be kept, a ray file holds 2^32 - 1: lower the size or spp")]
+    TooManyRays(u64),
+    /// The light or the background is not finite.
+    #[error("{name} {value:?}: all three components must be finite")]
+    NotFinite {
+        /// Which quantity.
+        name: &'static str,
+        /// Its value.
+        value: [f32; 3],
+    },
+    /// The camera sees nothing.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+}
+
+/// Renders `scene` with the rays traced through `structure`, on the threads of the current `rayon` pool.
+///
+/// `rows_done` is called with the number of rows that have been finished since its last call, from any thread.
+///
+/// # Errors
+/// See [`RenderError`].
+///
+/// # Panics
+/// If `structure` was not built over `scene.mesh`.
+pub fn render<S: Trace>(
+    structure: &S,
+    scene: &Scene,
+    options: &RenderOptions,
+    rows_done: impl Fn(u64) + Sync,
+) -> Result<Rendering, RenderError> {
+    let camera = check(scene, options)?;
+    Ok(integrate::render(structure, scene, &camera, options, rows_done))
+}
+
+/// The pixels of a picture one by one, for whoever wants to know which rays belong to which.
+pub struct PixelRenderer<'a> {
+    scene: &'a Scene,
+    options: RenderOptions,
+    camera: CameraRays,
+}
+
+impl<'a> PixelRenderer<'a> {
+    /// Prepares the pixels of the picture that [`render`] makes.
+    ///
+    /// # Errors
+    /// See [`RenderError`].
+    pub fn new(scene: &'a Scene, options: &RenderOptions) -> Result<Self, RenderError> {
+        Ok(Self { scene, options: *options, camera: check(scene, options)? })
+    }
+
+    /// The pixel at column and row `place`, with its rays traced through `structure` one after another.
+    ///
+    /// # Panics
+    /// If `structure` was not built over the scene's mesh.
+    pub fn pixel<S: Trace>(&self, structure: &S, place: [u32; 2]) -> Pixel {
+        integrate::pixel(structure, self.scene, &self.camera, &self.options, place)
+    }
+}
+
+/// The camera, if `scene` can be rendered so.
+fn check(scene: &Scene, options: &RenderOptions) -> Result<CameraRays, RenderError> {
+    let RenderOptions { width, height, samples, .. } = *options;
+    let sides = 1..=MAX_SIDE;
+    if !sides.contains(&width) || !sides.contains(&height) || width * height > MAX_PIXELS {
+        return Err(RenderError::Size { width, height });
+    }
+    if !(1..=MAX_SAMPLES).contains(&samples) {
+        return Err(RenderError::Samples(samples));
+    }
+    let rays_per_sample = 2 * (options.test.bounces() as u64 + 1);
+    let rays = u64::from(width) * u64::from(height) * u64::from(samples) * rays_per_sample;
+    if options.keep_rays && rays > u64::from(u32::MAX) {
+        return Err(RenderError::TooManyRays(rays));
+    }
+    for (name, value) in [
+        ("light position", scene.light.position),
+        ("light intensity", scene.light.intensity),
+        ("background", options.background),
+    ] {
+        if value.iter().any(|x| !x.is_finite()) {
+            return Err(RenderError::NotFinite { name, value });
+        }
+    }
+    Ok(CameraRays::new(&scene.camera, width, height)?)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,222 @@
+//! Every top by name: what can be exported, simulated or checked from a command line.
+
+use std::fmt;
+use std::str::FromStr;
+
+use fp::Format;
+use rust_hdl_core::prelude::Block;
+
+use crate::formats;
+use netlist::{Design, ElaborateError, elaborate};
+use units;
+
+/// Width of the integer adder in bits: a node's offset, zero-extended.
+const OFFSET_BITS: usize = 32;
+
+/// A top module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Top {
+    /// [`units::IntAdd`]; the same in every format.
+    IntAdd,
+    /// [`units::FpAdd`].
+    FpAdd,
+    /// [`units::FpMul`].
+    FpMul,
+    /// [`units::FpMinMax`].
+    FpMinMax,
+    /// [`units::FpCmp`].
+    FpCmp,
+    /// [`crate::DualSplitPipeline`] with the published inventory.
+    DualSplit,
+    /// The same without redundant comparators.
+    DualSplitLean,
+    /// [`crate::RayBoxPipeline`] with the published inventory.
+    RayBox,
+    /// The same without the redundant comparator.
+    RayBoxLean,
+    /// Two ray-box pipelines.
+    RayBoxX2,
+    /// Four ray-box pipelines.
+    RayBoxX4,
+    /// Eight ray-box pipelines.
+    RayBoxX8,
+    /// [`crate::SharedUnits`].
+    SharedUnits,
+}
+
+/// A floating-point format that modules exist for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum StandardFormat {
+    /// [`formats::binary32`].
+    Binary32,
+    /// [`formats::tf32`].
+    Tf32,
+    /// [`formats::bfloat16`].
+    Bfloat16,
+    /// [`formats::binary16`].
+    Binary16,
+    /// [`formats::e5m2`].
+    E5m2,
+    /// [`formats::e4m3`].
+    E4m3,
+}
+
+/// A name that is not in the catalogue.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("no {what} is called `{name}`; there are {}", .known.join(", "))]
+pub struct UnknownName {
+    /// What was looked for.
+    pub what: &'static str,
+    /// The name given.
+    pub name: String,
+    /// The names that exist.
+    pub known: Vec<&'static str>,
+}
+
+macro_rules! names {
+    ($type:ident, $what:literal, $($variant:ident = $name:literal),* $(,)?) => {
+        impl $type {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// The name on the command line and in files.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)*
+                }
+            }
+        }
+
+        impl fmt::Display for $type {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(self.name())
+            }
+        }
+
+        impl FromStr for $type {
+            type Err = UnknownName;
+
+            fn from_str(name: &str) -> Result<Self, UnknownName> {
+                let known = || Self::ALL.iter().map(|each| each.name()).collect();
+                let found = Self::ALL.iter().copied().find(|each| each.name() == name);
+                found.ok_or_else(|| UnknownName { what: $what, name: name.to_owned(), known: known() })
+            }
+        }
+    };
+}
+
+names! { Top, "unit",
+    IntAdd = "int_add",
+    FpAdd = "fp_add",
+    FpMul = "fp_mul",
+    FpMinMax = "fp_min_max",
+    FpCmp = "fp_cmp",
+    DualSplit = "dual_split",
+    DualSplitLean = "dual_split_lean",
+    RayBox = "ray_box",
+    RayBoxLean = "ray_box_lean",
+    RayBoxX2 = "ray_box_x2",
+    RayBoxX4 = "ray_box_x4",
+    RayBoxX8 = "ray_box_x8",
+    SharedUnits = "shared_units",
+}
+
+names! { StandardFormat, "format",
+    Binary32 = "binary32",
+    Tf32 = "tf32",
+    Bfloat16 = "bfloat16",
+    Binary16 = "binary16",
+    E5m2 = "e5m2",
+    E4m3 = "e4m3",
+}
+
+impl StandardFormat {
+    /// The widths.
+    #[must_use]
+    pub fn format(self) -> Format {
+        match self {
+            Self::Binary32 => Format::BINARY32,
+            Self::Tf32 => Format::TF32,
+            Self::Bfloat16 => Format::BFLOAT16,
+            Self::Binary16 => Format::BINARY16,
+            Self::E5m2 => Format::E5M2,
+            Self::E4m3 => Format::E4M3,
+        }
+    }
+}
+
+/// The module of a top in one format.
+macro_rules! in_format {
+    ($top:expr, $format:ident) => {
+        match $top {
+            Top::IntAdd => boxed::<units::IntAdd<OFFSET_BITS, 1>>(),
+            Top::FpAdd => boxed::<formats::$format::FpAdd>(),
+            Top::FpMul => boxed::<formats::$format::FpMul>(),
+            Top::FpMinMax => boxed::<formats::$format::FpMinMax>(),
+            Top::FpCmp => boxed::<formats::$format::FpCmp>(),
+            Top::DualSplit => boxed::<formats::$format::DualSplitPipeline>(),
+            Top::DualSplitLean => boxed::<formats::$format::DualSplitPipelineLean>(),
+            Top::RayBox => boxed::<formats::$format::RayBoxPipeline>(),
+            Top::RayBoxLean => boxed::<formats::$format::RayBoxPipelineLean>(),
+            Top::RayBoxX2 => boxed::<formats::$format::RayBoxX2>(),
+            Top::RayBoxX4 => boxed::<formats::$format::RayBoxX4>(),
+            Top::RayBoxX8 => boxed::<formats::$format::RayBoxX8>(),
+            Top::SharedUnits => boxed::<formats::$format::SharedUnits>(),
+        }
+    };
+}
+impl Top {
+    /// The module in a format, connected.
+    #[must_use]
+    pub fn module(self, format: StandardFormat) -> Box<dyn Block> {
+        let mut module = match format {
+            StandardFormat::Binary32 => in_format!(self, binary32),
+            StandardFormat::Tf32 => in_format!(self, tf32),
+            StandardFormat::Bfloat16 => in_format!(self, bfloat16),
+            StandardFormat::Binary16 => in_format!(self, binary16),
+            StandardFormat::E5m2 => in_format!(self, e5m2),
+            StandardFormat::E4m3 => in_format!(self, e4m3),
+        };
+        module.connect_all();
+        module
+    }
+
+    /// The elaborated design, called by the top's name, with the format's name behind it unless it is binary32.
+    ///
+    /// # Errors
+    /// None for the modules of this crate; a test elaborates each.
+    pub fn design(self, format: StandardFormat) -> Result<Design, ElaborateError> {
+        elaborate(self.module(format).as_ref(), &self.design_name(format))
+    }
+
+    /// Name of the design and of its files.
+    #[must_use]
+    pub fn design_name(self, format: StandardFormat) -> String {
+        match format {
+            StandardFormat::Binary32 => self.name().to_owned(),
+            _ => format!("{self}_{format}"),
+        }
+    }
+}
+
+fn boxed<M: Block + Default + 'static>() -> Box<dyn Block> {
+    Box::<M>::default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_read_back() {
+        for &top in Top::ALL {
+            assert_eq!(top.name().parse(), Ok(top));
+        }
+        for &format in StandardFormat::ALL {
+            assert_eq!(format.name().parse(), Ok(format));
+        }
+        let error = "fp_div".parse::<Top>().unwrap_err().to_string();
+        assert!(error.starts_with("no unit is called `fp_div`; there are int_add, fp_add"), "{error}");
+    }
+}

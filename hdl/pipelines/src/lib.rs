@@ -1,0 +1,37 @@
+//! The traversal pipelines, each 8 cycles deep with one operation per cycle.
+//!
+//! | module | operation | INTADD | FPADD | FPMUL | FPMIN/MAX | FPCMP |
+//! |---|---|---|---|---|---|---|
+//! | [`DualSplitPipeline`], `C = 2` | dual-split step | 1 | 2 | 2 | 3 | 4 |
+//! | [`DualSplitPipeline`], `C = 0` | the same, without redundant comparisons | 1 | 2 | 2 | 3 | 2 |
+//! | [`RayBoxPipeline`], `C = 2` | ray-box test | | 6 | 6 | 12 | 2 |
+//! | [`RayBoxPipeline`], `C = 1` | the same, without the redundant comparison | | 6 | 6 | 12 | 1 |
+//! | [`RayBoxParallel`] | `K` ray-box tests | | 6 K | 6 K | 12 K | 2 K |
+//! | [`SharedUnits`] | eight adders and multipliers, or one of the two | 1 | 8 | 8 | 15 | 6 |
+
+pub mod catalogue;
+mod dual_split;
+mod dual_split_fold;
+mod dual_split_select;
+pub mod equivalence;
+pub mod formats;
+mod node_header;
+mod ray_box;
+mod ray_box_fold;
+mod ray_box_parallel;
+mod ray_box_select;
+mod ray_select;
+mod shared_units;
+pub mod wave;
+
+pub use dual_split::DualSplitPipeline;
+pub use ray_box::RayBoxPipeline;
+pub use ray_box_parallel::RayBoxParallel;
+pub use shared_units::SharedUnits;
+
+units::clocked! {
+    DualSplitPipeline<E, S, W, X, R, N, P, C, T>,
+    RayBoxPipeline<E, S, W, X, R, N, P, C, T>,
+    RayBoxParallel<E, S, W, X, R, N, P, K, C, T>,
+    SharedUnits<E, S, W, X, R, N, P, T>,
+}

@@ -1,0 +1,93 @@
+//! First stage of the ray-box pipeline: picks the reciprocal of each plane's role, and lets operands wait.
+//!
+//! A ray that runs upwards on an axis enters through the box's min plane and leaves through its max plane; the sign bit
+//! of the entry reciprocal tells the direction.
+
+use netlist::module::named;
+use rust_hdl_core::prelude::*;
+use units::blocks::{Delay, module};
+
+/// Reciprocal selection and waiting lines of a ray-box test.
+///
+/// ```text
+///                        +--------------+
+/// inv_entry_{x,y,z}_i -->| W          W |---> inv_o[6]           after 2 cycles, for the multiplication
+/// inv_exit_{x,y,z}_i --->| W          W |---> t_min_o, t_max_o   after 5 cycles, for the folds
+/// t_min_i, t_max_i ----->| W            |
+///                        | RayBoxSelect |
+///                        +--------------+
+/// ```
+/// `inv_o` is ordered min x, y, z, max x, y, z.
+#[derive(LogicBlock, Clone, Debug)]
+pub(super) struct RayBoxSelect<const W: usize> {
+    pub clk_i: Signal<In, Clock>,
+    pub en_i: Signal<In, Bit>,
+    pub inv_entry_x_i: Signal<In, Bits<W>>,
+    pub inv_entry_y_i: Signal<In, Bits<W>>,
+    pub inv_entry_z_i: Signal<In, Bits<W>>,
+    pub inv_exit_x_i: Signal<In, Bits<W>>,
+    pub inv_exit_y_i: Signal<In, Bits<W>>,
+    pub inv_exit_z_i: Signal<In, Bits<W>>,
+    pub t_min_i: Signal<In, Bits<W>>,
+    pub t_max_i: Signal<In, Bits<W>>,
+    pub inv_o: [Signal<Out, Bits<W>>; 6],
+    pub t_min_o: Signal<Out, Bits<W>>,
+    pub t_max_o: Signal<Out, Bits<W>>,
+    sign_index: Constant<Bits<8>>,
+    inv_entry: [Signal<Local, Bits<W>>; 3],
+    inv_exit: [Signal<Local, Bits<W>>; 3],
+    inv_low: [Signal<Local, Bits<W>>; 3],
+    inv_high: [Signal<Local, Bits<W>>; 3],
+    inv_wait: [Delay<W, 2>; 6],
+    t_min_wait: Delay<W, 5>,
+    t_max_wait: Delay<W, 5>,
+}
+
+impl<const W: usize> Default for RayBoxSelect<W> {
+    fn default() -> Self {
+        module! {
+            sign_index = Constant::new((W as u64 - 1).into());
+            clk_i, en_i, inv_entry_x_i, inv_entry_y_i, inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i,
+            t_min_i, t_max_i, inv_o, t_min_o, t_max_o, inv_entry, inv_exit, inv_low, inv_high, inv_wait, t_min_wait, t_max_wait,
+        }
+    }
+}
+
+impl<const W: usize> Logic for RayBoxSelect<W> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.inv_entry[0].next = self.inv_entry_x_i.val();
+        self.inv_entry[1].next = self.inv_entry_y_i.val();
+        self.inv_entry[2].next = self.inv_entry_z_i.val();
+        self.inv_exit[0].next = self.inv_exit_x_i.val();
+        self.inv_exit[1].next = self.inv_exit_y_i.val();
+        self.inv_exit[2].next = self.inv_exit_z_i.val();
+        for i in 0..3 {
+            self.inv_low[i].next = self.inv_entry[i].val();
+            self.inv_high[i].next = self.inv_exit[i].val();
+            if self.inv_entry[i].val().get_bit(self.sign_index.val().index()) {
+                self.inv_low[i].next = self.inv_exit[i].val();
+                self.inv_high[i].next = self.inv_entry[i].val();
+            }
+            self.inv_wait[i].d_i.next = self.inv_low[i].val();
+            self.inv_wait[i + 3].d_i.next = self.inv_high[i].val();
+        }
+        for i in 0..6 {
+            self.inv_wait[i].clk_i.next = self.clk_i.val();
+            self.inv_wait[i].en_i.next = self.en_i.val();
+            self.inv_o[i].next = self.inv_wait[i].q_o.val();
+        }
+        self.t_min_wait.clk_i.next = self.clk_i.val();
+        self.t_min_wait.en_i.next = self.en_i.val();
+        self.t_min_wait.d_i.next = self.t_min_i.val();
+        self.t_min_o.next = self.t_min_wait.q_o.val();
+        self.t_max_wait.clk_i.next = self.clk_i.val();
+        self.t_max_wait.en_i.next = self.en_i.val();
+        self.t_max_wait.d_i.next = self.t_max_i.val();
+        self.t_max_o.next = self.t_max_wait.q_o.val();
+    }
+
+    fn timing(&self) -> Vec<TimingInfo> {
+        named("ray_box_select", &format!("w{W}"))
+    }
+}

@@ -1,0 +1,114 @@
+//! The units and pipelines through every check.
+
+use std::path::Path;
+
+use crate::verilog::{lint_and_simulate, prove_equivalent, synthesise};
+use netlist::module::MULTIPLIER_KINDS;
+use netlist::{guard, inventory};
+use pipelines::catalogue::{StandardFormat, Top};
+use testing::tools::{available, in_parallel, run};
+
+/// What is proved equal to rust-hdl's export, the largest first: every unit and both pipelines.
+const PROVED: [Top; 9] = [
+    Top::RayBox,
+    Top::RayBoxLean,
+    Top::DualSplit,
+    Top::DualSplitLean,
+    Top::FpMul,
+    Top::FpAdd,
+    Top::FpMinMax,
+    Top::FpCmp,
+    Top::IntAdd,
+];
+
+#[test]
+fn every_kernel_of_every_top_passes_the_guard() {
+    for &top in Top::ALL {
+        let report = guard(top.module(StandardFormat::Binary32).as_ref());
+        let report = report.unwrap_or_else(|error| panic!("{top}: {error}"));
+        assert!(report.kernels > 0 && report.values_identical + report.values_simulated > 0);
+        println!("{top}: {report:?}");
+    }
+}
+
+#[test]
+fn every_format_elaborates_and_passes_the_guard() {
+    for &format in StandardFormat::ALL {
+        for top in [Top::FpAdd, Top::FpMul, Top::FpMinMax, Top::FpCmp, Top::DualSplit, Top::RayBox] {
+            let design = top.design(format).unwrap_or_else(|error| panic!("{top} {format}: {error}"));
+            assert!(design.top().clock.is_some());
+            guard(top.module(format).as_ref()).unwrap_or_else(|error| panic!("{top} {format}: {error}"));
+        }
+    }
+}
+
+#[test]
+fn latencies_and_unit_counts_are_the_published_ones() {
+    // INTADD, FPADD, FPMUL, FPMIN/MAX, FPCMP: Lin et al., HPG 2020, section 5.
+    let published = [(Top::DualSplit, [1, 2, 2, 3, 4]), (Top::RayBox, [0, 6, 6, 12, 2])];
+    for (top, expected) in published {
+        let found = inventory(&top.design(StandardFormat::Binary32).unwrap()).unwrap();
+        let counts = ["int_add", "fp_add", "fp_mul", "fp_min_max", "fp_cmp"]
+            .map(|kind| found.units.get(kind).copied().unwrap_or(0));
+        println!("{top}: {} register bits, {} multiplexer bits", found.register_bits, found.multiplexer_bits);
+        assert_eq!(counts, expected, "{top}");
+        assert_eq!(found.latency_cycles, Some(8), "{top}: {:?}", found.output_latency_cycles);
+    }
+    let latencies = [(Top::IntAdd, 1), (Top::FpAdd, 2), (Top::FpMul, 2), (Top::FpMinMax, 1), (Top::FpCmp, 1)];
+    for (top, cycles) in latencies {
+        let found = inventory(&top.design(StandardFormat::Binary32).unwrap()).unwrap();
+        assert_eq!(found.latency_cycles, Some(cycles), "{top}: {:?}", found.output_latency_cycles);
+    }
+}
+
+#[test]
+fn every_top_is_lint_clean_and_simulates() {
+    for &top in Top::ALL {
+        lint_and_simulate(&top.design(StandardFormat::Binary32).unwrap(), 200);
+    }
+}
+
+/// yosys maps every top to gates; the numbers of cells are in docs/synthesis.md.
+#[test]
+fn every_top_synthesises() {
+    in_parallel(Top::ALL.iter().rev(), |&top| {
+        let Some(statistics) = synthesise(&top.design(StandardFormat::Binary32).unwrap()) else { return };
+        let cells = statistics.rsplit_once("Number of cells:").expect("the sum comes last").1;
+        let cells: u64 = cells.split_whitespace().next().unwrap().parse().unwrap();
+        println!("{top}: {cells} cells");
+        assert!(cells > 100, "{top}: {statistics}");
+    });
+}
+
+#[test]
+fn units_and_pipelines_equal_rust_hdls_export() {
+    in_parallel(PROVED, |top| {
+        let format = StandardFormat::Binary32;
+        prove_equivalent(top.module(format).as_ref(), &top.design(format).unwrap(), MULTIPLIER_KINDS);
+        println!("{top}: proved");
+    });
+}
+
+/// The committed Verilog is what the code generates; `DUALSPLIT_BLESS=1` writes it anew.
+#[test]
+fn committed_verilog_is_current() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("verilog");
+    let bless = std::env::var_os("DUALSPLIT_BLESS").is_some();
+    for &top in Top::ALL {
+        let design = top.design(StandardFormat::Binary32).unwrap();
+        let path = folder.join(format!("{top}.v"));
+        let text = netlist::verilog::text(&design);
+        assert!(text.is_ascii() && !text.contains('\t'));
+        if bless {
+            std::fs::create_dir_all(&folder).unwrap();
+            std::fs::write(&path, &text).unwrap();
+        }
+        let committed = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(committed == text, "{} differs; DUALSPLIT_BLESS=1 writes it anew", path.display());
+    }
+    if available("iverilog") {
+        for &top in Top::ALL {
+            run(&folder, "iverilog", &["-g2005", "-Wall", "-t", "null", &format!("{top}.v")]).unwrap();
+        }
+    }
+}

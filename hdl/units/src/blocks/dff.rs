@@ -1,0 +1,59 @@
+//! The register: the only element with state.
+
+use netlist::module;
+use rust_hdl_core::prelude::*;
+
+/// A rising-edge register that starts at zero.
+///
+/// ```text
+///        +-----+
+///   d -->|     |--> q
+///        | Dff |
+/// clock >|     |
+///        +-----+
+/// ```
+#[derive(LogicBlock, Default, Clone, Debug)]
+pub struct Dff<T: Synth> {
+    /// Next value.
+    pub d: Signal<In, T>,
+    /// Value.
+    pub q: Signal<Out, T>,
+    /// Clock.
+    pub clock: Signal<In, Clock>,
+}
+
+impl<T: Synth> Logic for Dff<T> {
+    fn update(&mut self) {
+        if self.clock.pos_edge() {
+            self.q.next = self.d.val();
+        }
+    }
+
+    fn connect(&mut self) {
+        self.q.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        Verilog::Custom(format!(
+            "initial begin\n   q = {:x};\nend\n\nalways @(posedge clock) begin\n   q <= d;\nend\n",
+            T::default().verilog()
+        ))
+    }
+
+    fn timing(&self) -> Vec<TimingInfo> {
+        module::register()
+    }
+}
+
+/// Clocks the listed registers and lets each hold its value, until a later assignment says otherwise.
+///
+/// The name and the form are those that `rust-hdl`'s kernel translator knows.
+#[macro_export]
+macro_rules! dff_setup {
+    ($self:ident, $clock:ident, $($register:ident),+ $(,)?) => {
+        $(
+            $self.$register.clock.next = $self.$clock.val();
+            $self.$register.d.next = $self.$register.q.val();
+        )+
+    };
+}

@@ -1,0 +1,157 @@
+//! The one rounder behind every operation.
+//!
+//! The exact result is handed over as `(-1)^sign * significand * 2^(exponent - bias - S)`, where the significand has `S`
+//! bits, a round bit and a sticky bit (the OR of all that is further below). Field and fraction are packed into one
+//! word before the increment, so that a carry out of the fraction runs into the exponent: the largest subnormal becomes
+//! the smallest normal number, and the largest number becomes infinity, without a case of their own.
+//!
+//! | code | direction | increments if | beyond the largest number |
+//! |---|---|---|---|
+//! | 0 | nearest, ties to even | round & (sticky or last) | infinity |
+//! | 1 | toward zero | never | largest number |
+//! | 2 | down | inexact & negative | infinity if negative, else largest number |
+//! | 3 | up | inexact & positive | infinity if positive, else largest number |
+//! | 4 | nearest, ties away | round | infinity |
+//!
+//! Codes 5 to 7 are reserved and round toward zero. With flushed subnormals, a non-zero result without its leading bit
+//! becomes the smallest normal number if the direction points away from zero, else zero.
+
+use crate::blocks::module;
+use crate::widths::{check_widths, format};
+use fp::Subnormals;
+use netlist::module::named;
+use rust_hdl_core::prelude::*;
+
+/// Rounds an exact result into a word.
+///
+/// ```text
+///                    +-----------+
+///          sign_i -->| 1         |
+///      exponent_i -->| X         |
+///   significand_i -->| R       W |--> result_o
+/// nan_i,infinity_i ->| 1 Rounder |
+///      rounding_i -->| 3         |
+///                    +-----------+
+/// ```
+/// Combinational. Requires `1 <= exponent < 2^(X-1)`; the significand's leading bit may be clear only if the exponent is 1.
+/// `nan_i` overrides all else and gives the canonical NaN; `infinity_i` overrides exponent and significand.
+#[derive(LogicBlock, Clone, Debug)]
+pub(super) struct Rounder<const E: usize, const S: usize, const W: usize, const X: usize, const R: usize> {
+    pub sign_i: Signal<In, Bit>,
+    pub exponent_i: Signal<In, Bits<X>>,
+    pub significand_i: Signal<In, Bits<R>>,
+    pub nan_i: Signal<In, Bit>,
+    pub infinity_i: Signal<In, Bit>,
+    pub rounding_i: Signal<In, Bits<3>>,
+    pub result_o: Signal<Out, Bits<W>>,
+    flush: Constant<Bit>,
+    leading_index: Constant<Bits<8>>,
+    fraction_mask: Constant<Bits<R>>,
+    fraction_bits: Constant<Bits<8>>,
+    special_exponent: Constant<Bits<X>>,
+    min_normal: Constant<Bits<W>>,
+    max_finite: Constant<Bits<W>>,
+    infinity: Constant<Bits<W>>,
+    canonical_nan: Constant<Bits<W>>,
+    sign_bit: Constant<Bits<W>>,
+    leading: Signal<Local, Bit>,
+    inexact: Signal<Local, Bit>,
+    away: Signal<Local, Bit>,
+    to_infinity: Signal<Local, Bit>,
+    increment: Signal<Local, Bit>,
+    overflow: Signal<Local, Bit>,
+    fraction: Signal<Local, Bits<R>>,
+    field: Signal<Local, Bits<W>>,
+    encoded: Signal<Local, Bits<W>>,
+    magnitude: Signal<Local, Bits<W>>,
+    word: Signal<Local, Bits<W>>,
+}
+
+impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: usize> Rounder<E, S, W, X, R> {
+    pub fn new(subnormals: Subnormals) -> Self {
+        check_widths!(W == E + S, X == E + 2, R == S + 2);
+        let format = format::<E, S>();
+        let word = |bits: u32| Constant::new(u64::from(bits).into());
+        module! {
+            flush = Constant::new(subnormals == Subnormals::Flush),
+            leading_index = Constant::new((R as u64 - 1).into()),
+            fraction_mask = Constant::new((u64::from(format.min_normal()) - 1).into()),
+            fraction_bits = Constant::new(u64::from(format.fraction_bits()).into()),
+            special_exponent = Constant::new(((1u64 << E) - 1).into()),
+            min_normal = word(format.min_normal()),
+            max_finite = word(format.max_finite()),
+            infinity = word(format.infinity()),
+            canonical_nan = word(format.canonical_nan()),
+            sign_bit = word(format.sign_bit());
+            sign_i, exponent_i, significand_i, nan_i, infinity_i, rounding_i, result_o,
+            leading, inexact, away, to_infinity, increment, overflow, fraction, field, encoded, magnitude, word,
+        }
+    }
+}
+
+impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: usize> Logic
+    for Rounder<E, S, W, X, R>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        // Direction.
+        self.leading.next = self.significand_i.val().get_bit(self.leading_index.val().index());
+        self.inexact.next = self.significand_i.val().get_bit(1) | self.significand_i.val().get_bit(0);
+        self.away.next = ((self.rounding_i.val() == 2) & self.sign_i.val())
+            | ((self.rounding_i.val() == 3) & !self.sign_i.val());
+        self.to_infinity.next = (self.rounding_i.val() == 0) | (self.rounding_i.val() == 4) | self.away.val();
+        self.increment.next = self.away.val() & self.inexact.val();
+        if self.rounding_i.val() == 0 {
+            self.increment.next = self.significand_i.val().get_bit(1)
+                & (self.significand_i.val().get_bit(0) | self.significand_i.val().get_bit(2));
+        }
+        if self.rounding_i.val() == 4 {
+            self.increment.next = self.significand_i.val().get_bit(1);
+        }
+
+        // Packing and increment.
+        self.fraction.next = self.significand_i.val() >> 2;
+        self.fraction.next = self.fraction.val() & self.fraction_mask.val();
+        self.field.next = 0.into();
+        if self.leading.val() {
+            self.field.next = bit_cast::<W, X>(self.exponent_i.val());
+        }
+        self.field.next = self.field.val() << self.fraction_bits.val();
+        self.encoded.next = self.field.val() | bit_cast::<W, R>(self.fraction.val());
+        self.magnitude.next = self.encoded.val();
+        if self.increment.val() {
+            self.magnitude.next = self.encoded.val() + 1;
+        }
+
+        // Results outside the normal range.
+        self.overflow.next = (self.exponent_i.val() >= self.special_exponent.val())
+            | (self.magnitude.val() == self.infinity.val());
+        if self.flush.val() & !self.leading.val() {
+            self.magnitude.next = 0.into();
+            if self.away.val() & self.significand_i.val().any() {
+                self.magnitude.next = self.min_normal.val();
+            }
+        }
+        if self.overflow.val() {
+            self.magnitude.next = self.max_finite.val();
+            if self.to_infinity.val() {
+                self.magnitude.next = self.infinity.val();
+            }
+        }
+        if self.infinity_i.val() {
+            self.magnitude.next = self.infinity.val();
+        }
+        self.word.next = self.magnitude.val();
+        if self.sign_i.val() {
+            self.word.next = self.magnitude.val() | self.sign_bit.val();
+        }
+        if self.nan_i.val() {
+            self.word.next = self.canonical_nan.val();
+        }
+        self.result_o.next = self.word.val();
+    }
+
+    fn timing(&self) -> Vec<TimingInfo> {
+        named("rounder", &super::variant::<E, S>(self.flush.val()))
+    }
+}

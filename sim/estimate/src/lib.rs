@@ -1,0 +1,206 @@
+//! Area and energy of the pipelines, each number with where it comes from.
+//!
+//! Three methods: published unit costs on our counts with our own glue logic; our netlist in a library; our netlist
+//! scaled to 65 nm. *Units* are the combinational gates of execution units, *glue* those around them: selection, offset
+//! and return logic. Registers, clock and input nets have rows of their own: the published sums hold none of them.
+
+mod alternatives;
+mod breakdown;
+mod implementation;
+mod paper;
+mod published;
+mod scaling;
+mod workload;
+
+pub use alternatives::{Alternative, alternatives};
+pub use breakdown::Breakdown;
+pub use implementation::{EnergyReport, Implementation, ModuleRow};
+pub use paper::PaperFigures;
+pub use scaling::{Scaling, TARGET_NODE_NM, TARGET_VOLTAGE_V};
+pub use workload::{NodeType, Workload};
+
+use std::collections::BTreeMap;
+use std::sync::{Mutex, OnceLock};
+
+use costs::{Pipeline, PipelineCost, Unit};
+use gates::liberty::{Library, embedded};
+use gates::map::MapError;
+use netlist::{ElaborateError, inventory};
+use pipelines::catalogue::{StandardFormat, Top};
+
+/// Why there is no estimate.
+#[derive(Debug, thiserror::Error)]
+pub enum EstimateError {
+    /// The design does not elaborate.
+    #[error(transparent)]
+    Elaborate(#[from] ElaborateError),
+    /// The library lacks a cell.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// The scene cannot be loaded or built.
+    #[error("{0}")]
+    Scene(String),
+    /// The library's node is not one that the published equations have numbers for here.
+    #[error(
+        "library {0} is of a node without scaling coefficients: 45, 130 and 180 nm have some; leave scaling out"
+    )]
+    Unscalable(String),
+    /// Not a pipeline.
+    #[error("{0} is no pipeline: dual_split, dual_split_lean, ray_box and ray_box_lean are estimated")]
+    NoPipeline(Top),
+}
+
+/// How a cost is found.
+#[derive(Clone, Copy, Debug)]
+pub enum Method<'l> {
+    /// Published unit costs on our counts, and our own glue, mapped to the embedded library and scaled to 65 nm.
+    Published,
+    /// Our netlist in a library: units and glue, without registers and clock.
+    Netlist(&'l Library),
+    /// The same scaled to 65 nm by published equations.
+    Scaled(&'l Library),
+}
+
+/// What a pipeline costs, for operations of the built-in workload; see [`Workload::built_in`].
+///
+/// # Errors
+/// [`EstimateError`] for tops that are no pipeline, and for libraries that lack a cell or a scaling.
+pub fn pipeline_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateError> {
+    if let Top::RayBoxX2 | Top::RayBoxX4 | Top::RayBoxX8 = top {
+        return parallel_cost(top, method);
+    }
+    // Without a choice of library, the costs of a top are always the same: mapping and simulating it takes seconds.
+    static PUBLISHED: Mutex<BTreeMap<Top, PipelineCost>> = Mutex::new(BTreeMap::new());
+    let known = || PUBLISHED.lock().expect("no panic while it was held");
+    if let (Method::Published, Some(cost)) = (method, known().get(&top)) {
+        return Ok(cost.clone());
+    }
+    let workload = built_in()?;
+    let library = match method {
+        Method::Published => embedded_library(),
+        Method::Netlist(library) | Method::Scaled(library) => library,
+    };
+    let implementation = Implementation::new(top, library, gates::words::Structures::default())?;
+    let (energy, _) = implementation.zero_delay_energy(&workload.streams(&implementation)?);
+    let cost = cost(&implementation, &energy, method)?;
+    if let Method::Published = method {
+        known().insert(top, cost.clone());
+    }
+    Ok(cost)
+}
+
+/// The pipeline `top` in single precision as data: units and latency of the elaborated hardware, its cost by `method`.
+///
+/// # Errors
+/// As [`pipeline_cost`].
+pub fn pipeline(top: Top, method: Method) -> Result<Pipeline, EstimateError> {
+    let inventory = inventory(&top.design(StandardFormat::Binary32)?)?;
+    let mut units = BTreeMap::new();
+    for (kind, &count) in &inventory.units {
+        if let Some(unit) = Unit::of_module(kind) {
+            *units.entry(unit).or_default() += count;
+        }
+    }
+    let latency_cycles = inventory.latency_cycles.ok_or(EstimateError::NoPipeline(top))?;
+    Ok(Pipeline { name: top.name().to_owned(), units, latency_cycles, cost: pipeline_cost(top, method)? })
+}
+
+/// [`pipeline`] by the name of its module, as a machine asks for it.
+///
+/// # Panics
+/// The function panics if no pipeline has the name, or its hardware does not elaborate, which the hardware's own tests rule
+/// out.
+pub fn by_name(method: Method<'_>) -> impl Fn(&str) -> Pipeline {
+    move |name| {
+        let top = name.parse().unwrap_or_else(|error| panic!("{error}"));
+        pipeline(top, method).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+/// The cost of a parallel form: that of one ray-box pipeline times the number that it has, by the adders of both.
+fn parallel_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateError> {
+    let adders = |top: Top| -> Result<f64, EstimateError> {
+        Ok(inventory(&top.design(StandardFormat::Binary32)?)?.units["fp_add"].into())
+    };
+    let copies = adders(top)? / adders(Top::RayBox)?;
+    let one = pipeline_cost(Top::RayBox, method)?;
+    Ok(PipelineCost {
+        area_um2: copies * one.area_um2,
+        energy_pj: copies * one.energy_pj,
+        glue_area_um2: copies * one.glue_area_um2,
+        glue_energy_pj: copies * one.glue_energy_pj,
+        source: format!("{copies} times one ray-box pipeline: {}", one.source),
+    })
+}
+
+/// [`pipeline_cost`] of what is already mapped and measured; `method`'s library has to be the implementation's.
+///
+/// # Errors
+/// [`EstimateError::Unscalable`] where the library cannot be scaled.
+pub fn cost(
+    implementation: &Implementation,
+    energy_fj: &Breakdown,
+    method: Method,
+) -> Result<PipelineCost, EstimateError> {
+    let area = implementation.area();
+    let library = implementation.library;
+    match method {
+        Method::Published => published::cost(implementation, &area, energy_fj),
+        Method::Netlist(_) => Ok(PipelineCost {
+            area_um2: area.logic(),
+            energy_pj: energy_fj.logic() / 1e3,
+            glue_area_um2: area.glue,
+            glue_energy_pj: energy_fj.glue / 1e3,
+            source: format!(
+                "our netlist mapped to {} ({} V), without wires; zero-delay energy",
+                library.source, library.voltage_v
+            ),
+        }),
+        Method::Scaled(_) => {
+            let scaling =
+                Scaling::of(library).ok_or_else(|| EstimateError::Unscalable(library.name.clone()))?;
+            Ok(PipelineCost {
+                area_um2: area.logic() * scaling.area,
+                energy_pj: energy_fj.logic() * scaling.energy / 1e3,
+                glue_area_um2: area.glue * scaling.area,
+                glue_energy_pj: energy_fj.glue * scaling.energy / 1e3,
+                source: format!("our netlist mapped to {}, {}", library.source, scaling.source()),
+            })
+        }
+    }
+}
+
+/// The library that needs no file, made once.
+pub fn embedded_library() -> &'static Library {
+    static LIBRARY: OnceLock<Library> = OnceLock::new();
+    LIBRARY.get_or_init(embedded)
+}
+
+fn built_in() -> Result<&'static Workload, EstimateError> {
+    static WORKLOAD: OnceLock<Result<Workload, String>> = OnceLock::new();
+    let workload = WORKLOAD.get_or_init(|| Workload::built_in().map_err(|error| error.to_string()));
+    workload.as_ref().map_err(|error| EstimateError::Scene(error.clone()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn glue_is_at_most_half_of_the_papers() {
+        for top in [Top::DualSplit, Top::DualSplitLean] {
+            let cost = pipeline_cost(top, Method::Published).unwrap();
+            let paper = PaperFigures::of(top).unwrap();
+            assert_eq!(format!("{:.0} {:.1}", paper.glue_area_um2, paper.glue_energy_pj), "5086 13.5");
+            assert!(cost.glue_area_um2 <= 0.5 * paper.glue_area_um2, "{top}: {cost:?}");
+            assert!(cost.glue_energy_pj <= 0.5 * paper.glue_energy_pj, "{top}: {cost:?}");
+            assert!(cost.glue_area_um2 > 500.0 && cost.glue_energy_pj > 0.05, "{top}: {cost:?}");
+        }
+        let one = pipeline_cost(Top::RayBox, Method::Published).unwrap();
+        assert_eq!(pipeline_cost(Top::RayBoxX4, Method::Published).unwrap().area_um2, 4.0 * one.area_um2);
+        assert!(matches!(
+            pipeline_cost(Top::FpAdd, Method::Published),
+            Err(EstimateError::NoPipeline(Top::FpAdd))
+        ));
+    }
+}

@@ -1,0 +1,90 @@
+//! Lines on their way to a first-level cache, and who waits for them.
+
+use crate::program::BoardEntry;
+
+/// When a line arrives whose time is not known yet.
+pub const UNKNOWN: u32 = u32::MAX;
+
+/// A register of a thread that waits for a line.
+#[derive(Clone, Copy, Debug)]
+pub struct Waiter {
+    /// The thread.
+    pub thread: u8,
+    /// The register's entry on its scoreboard.
+    pub entry: BoardEntry,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    line: u32,
+    /// Cycle from which on the cache holds the line, or [`UNKNOWN`].
+    arrival: u32,
+    /// First of a chain in `waiters`, or [`NONE`].
+    first: u32,
+}
+
+const NONE: u32 = u32::MAX;
+
+/// Lines under way.
+#[derive(Clone, Debug, Default)]
+pub struct Outstanding {
+    entries: Vec<Entry>,
+    waiters: Vec<(Waiter, u32)>,
+    free: Vec<u32>,
+}
+
+impl Outstanding {
+    /// When `line` arrives, if it is under way.
+    #[inline]
+    pub fn arrival(&self, line: u32) -> Option<u32> {
+        self.entries.iter().find(|entry| entry.line == line).map(|entry| entry.arrival)
+    }
+
+    /// Notes that `line` is under way in cycle `now`.
+    #[inline]
+    pub fn insert(&mut self, now: u32, line: u32, arrival: u32) {
+        self.remove_arrived(line, now);
+        self.entries.push(Entry { line, arrival, first: NONE });
+    }
+
+    /// Makes `waiter` wait for `line`, whose arrival is not known yet.
+    pub fn wait(&mut self, line: u32, waiter: Waiter) {
+        let entry = self.entries.iter_mut().find(|entry| entry.line == line).expect("the line is under way");
+        let slot = match self.free.pop() {
+            Some(slot) => {
+                self.waiters[slot as usize] = (waiter, entry.first);
+                slot
+            }
+            None => {
+                self.waiters.push((waiter, entry.first));
+                self.waiters.len() as u32 - 1
+            }
+        };
+        entry.first = slot;
+    }
+
+    /// It is known now when `line` arrives; passes everyone who waits for it. False if nobody has asked.
+    #[inline]
+    pub fn arrives(&mut self, line: u32, arrival: u32, mut wake: impl FnMut(Waiter)) -> bool {
+        let Some(entry) = self.entries.iter_mut().find(|entry| entry.line == line) else {
+            return false;
+        };
+        entry.arrival = arrival;
+        let mut slot = std::mem::replace(&mut entry.first, NONE);
+        while slot != NONE {
+            let (waiter, next) = self.waiters[slot as usize];
+            wake(waiter);
+            self.free.push(slot);
+            slot = next;
+        }
+        true
+    }
+
+    /// Removes `line` if it has arrived by cycle `now`; if not, it has been asked for again since.
+    #[inline]
+    pub fn remove_arrived(&mut self, line: u32, now: u32) {
+        if let Some(at) = self.entries.iter().position(|entry| entry.line == line && entry.arrival <= now) {
+            self.entries.swap_remove(at);
+        }
+    }
+}

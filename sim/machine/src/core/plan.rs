@@ -1,0 +1,72 @@
+//! What of the work is timed.
+
+use super::Counts;
+use super::stats::{CacheCounts, DramCounts, ThreadCycles};
+use crate::program::{Kind, Program};
+use std::ops::Range;
+
+/// Items that are not timed, and items before which counts are noted. By default everything is timed.
+///
+/// Items that are left out are recorded, so that what threads execute is known of all; the lines that they read go
+/// to the caches, multiprocessor by multiprocessor, in no time (functional warming, as in Wunderlich, Wenisch, Falsafi,
+/// Hoe, "SMARTS", ISCA 2003).
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Plan {
+    /// Not timed, in order, without overlap.
+    pub skipped: Vec<Range<u32>>,
+    /// Items of each skipped range, its last, that warm the caches.
+    pub warming: u32,
+    /// In order; counts are noted when the counter first passes each of these.
+    pub marks: Vec<u32>,
+}
+
+/// What has been counted by the time that the counter has come to a mark.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Noted {
+    /// Cycles from the start.
+    pub cycles: u32,
+    /// What threads did.
+    pub thread_cycles: ThreadCycles,
+    /// All first-level caches.
+    pub l1: CacheCounts,
+    /// All second-level caches.
+    pub l2: CacheCounts,
+    /// The memory.
+    pub dram: DramCounts,
+}
+
+impl Noted {
+    /// What has been counted by the end.
+    #[must_use]
+    pub fn of(counts: &Counts) -> Self {
+        let Counts { cycles, thread_cycles, l1, l2, dram, .. } = *counts;
+        Self { cycles, thread_cycles, l1, l2, dram }
+    }
+}
+
+/// Calls `touch` with each word that the runs and addresses in `words` load.
+pub fn loads(program: &Program, words: &[u32], mut touch: impl FnMut(u32)) {
+    accesses(program, words, |kind, word| {
+        if kind == Kind::Load {
+            touch(word);
+        }
+    });
+}
+
+/// Calls `touch` with each load and store of the runs and addresses in `words`, and its word.
+pub fn accesses(program: &Program, words: &[u32], mut touch: impl FnMut(Kind, u32)) {
+    let mut at = 0;
+    while at < words.len() {
+        for op in program.ops_of(words[at]) {
+            if matches!(op.kind, Kind::Load | Kind::Store) {
+                let first = words[at + 1 + usize::from(op.base)] + u32::from(op.offset);
+                let count = program.operands_of(op).writes.len().max(1) as u32;
+                touch(op.kind, first);
+                if count > 1 {
+                    touch(op.kind, first + count - 1);
+                }
+            }
+        }
+        at += 1 + program.code.runs[words[at] as usize].bases.len();
+    }
+}

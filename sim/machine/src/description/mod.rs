@@ -1,0 +1,313 @@
+//! The machine, described by a TOML file: what exists, how large it is and how long it takes.
+//!
+//! [`MachineDescription::load`] reads a preset or a file, applies `--set` and checks that the machine can be built. What
+//! the pipelines consist of is not described here: it is read from the hardware (see [`super::pipelines`]).
+
+pub(crate) mod check;
+mod dram;
+mod settings;
+mod size;
+
+pub use check::DescriptionError;
+pub use dram::{Dram, DramPower, DramTiming, Mapping};
+pub use size::Bytes;
+
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// The machines that come with the tool: name and text.
+pub const PRESETS: [(&str, &str); 2] = [
+    ("trax", include_str!("../../presets/trax.toml")),
+    ("simtrax-reference", include_str!("../../presets/simtrax-reference.toml")),
+];
+
+/// Everything about a machine that can be chosen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MachineDescription {
+    /// Name in results.
+    pub name: String,
+    /// Clock of all but the DRAM.
+    pub clock_ghz: f64,
+    /// How many of everything.
+    pub chip: Chip,
+    /// One thread multiprocessor.
+    pub tm: Tm,
+    /// Its instruction caches.
+    pub icache: Icache,
+    /// Its shared execution units.
+    pub units: Units,
+    /// Its data cache.
+    pub l1: Cache,
+    /// The cache of a partition.
+    pub l2: Cache,
+    /// The memory that all share.
+    pub dram: Dram,
+}
+
+/// Number of partitions and multiprocessors.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Chip {
+    /// Partitions, each an L2 with its multiprocessors.
+    pub l2_partitions: u32,
+    /// Thread multiprocessors (TMs) per partition.
+    pub tms_per_partition: u32,
+}
+
+impl Chip {
+    /// Thread multiprocessors of the chip.
+    #[must_use]
+    pub fn tms(&self) -> u32 {
+        self.l2_partitions * self.tms_per_partition
+    }
+}
+
+/// A thread multiprocessor.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tm {
+    /// Thread processors: in order, one instruction a cycle each.
+    pub threads: u32,
+    /// What one load instruction brings to registers.
+    pub load_words: LoadWords,
+}
+
+/// Words that one load brings, if they are adjacent and in one line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum LoadWords {
+    /// At most this many: 1, 2 or 4, naturally aligned.
+    Words(u32),
+    /// Whatever the line holds.
+    Line(Line),
+}
+
+/// The word `line`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Line {
+    /// A whole line.
+    Line,
+}
+
+/// The instruction caches of a multiprocessor. They hold the whole program.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Icache {
+    /// Caches; thread `t` uses cache `t` modulo their number.
+    pub caches: u32,
+    /// Size of each, for area and energy.
+    pub size: Bytes,
+    /// Banks of each; an instruction is in bank `address` modulo their number.
+    pub banks: u32,
+    /// Fetches per bank and cycle.
+    pub fetches_per_bank: u32,
+}
+
+/// The execution units that the threads of a multiprocessor share.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(missing_docs, reason = "named as in `costs::Unit`")]
+pub struct Units {
+    pub fp_add: UnitPool,
+    pub fp_mul: UnitPool,
+    pub fp_min_max: UnitPool,
+    pub fp_cmp: UnitPool,
+    pub int_add: UnitPool,
+    pub int_mul: UnitPool,
+    pub fp_inv: UnitPool,
+    pub convert: UnitPool,
+    pub branch: UnitPool,
+    pub bitwise: UnitPool,
+}
+
+/// Units of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct UnitPool {
+    /// How many; each takes one operation a cycle.
+    pub count: u32,
+    /// Cycles until a result can be used.
+    pub latency_cycles: u32,
+}
+
+impl Units {
+    /// The pool of `unit`.
+    #[must_use]
+    pub fn pool(&self, unit: costs::Unit) -> UnitPool {
+        use costs::Unit;
+        match unit {
+            Unit::FpAdd => self.fp_add,
+            Unit::FpMul => self.fp_mul,
+            Unit::FpMinMax => self.fp_min_max,
+            Unit::FpCmp => self.fp_cmp,
+            Unit::IntAdd => self.int_add,
+            Unit::IntMul => self.int_mul,
+            Unit::FpInv => self.fp_inv,
+            Unit::Convert => self.convert,
+            Unit::Branch => self.branch,
+            Unit::Bitwise => self.bitwise,
+        }
+    }
+}
+
+impl Units {
+    /// The pool of `unit`, to be changed.
+    pub(crate) fn pool_mut(&mut self, unit: costs::Unit) -> &mut UnitPool {
+        use costs::Unit;
+        match unit {
+            Unit::FpAdd => &mut self.fp_add,
+            Unit::FpMul => &mut self.fp_mul,
+            Unit::FpMinMax => &mut self.fp_min_max,
+            Unit::FpCmp => &mut self.fp_cmp,
+            Unit::IntAdd => &mut self.int_add,
+            Unit::IntMul => &mut self.int_mul,
+            Unit::FpInv => &mut self.fp_inv,
+            Unit::Convert => &mut self.convert,
+            Unit::Branch => &mut self.branch,
+            Unit::Bitwise => &mut self.bitwise,
+        }
+    }
+}
+
+/// A data cache. Stores go around it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cache {
+    /// Whether lines stay in it; requests under way are joined all the same.
+    pub enabled: bool,
+    /// Capacity.
+    pub size: Bytes,
+    /// Length of a line.
+    pub line: Bytes,
+    /// Banks; a word is in bank `word address` modulo their number. Each takes one access a cycle.
+    pub banks: u32,
+    /// Lines of a set; the least recently used is replaced.
+    pub associativity: u32,
+    /// Cycles until a hit can be used.
+    pub latency_cycles: u32,
+    /// Area in mm2, where the published table has no cache of this size.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area_mm2: Option<f64>,
+    /// Energy of an access in nJ, where the published table has no cache of this size.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy_nj: Option<f64>,
+}
+
+impl Cache {
+    /// 32-bit words of a line.
+    #[must_use]
+    pub fn line_words(&self) -> u32 {
+        (self.line.0 / 4) as u32
+    }
+
+    /// Lines that it holds.
+    #[must_use]
+    pub fn lines(&self) -> u32 {
+        (self.size.0 / self.line.0) as u32
+    }
+}
+
+impl MachineDescription {
+    /// The machine `name_or_file`, a preset or a TOML file, changed by `settings` of the form `l1.size=64KiB`.
+    ///
+    /// # Errors
+    /// See [`DescriptionError`].
+    pub fn load(name_or_file: &str, settings: &[String]) -> Result<Self, DescriptionError> {
+        let (source, text) = match PRESETS.iter().find(|(name, _)| *name == name_or_file) {
+            Some((name, text)) => (format!("preset {name}"), (*text).to_owned()),
+            None => {
+                let read = std::fs::read_to_string(Path::new(name_or_file));
+                let text = read.map_err(|error| DescriptionError::Read {
+                    file: name_or_file.to_owned(),
+                    presets: PRESETS.map(|(name, _)| name).join(", "),
+                    error,
+                })?;
+                (name_or_file.to_owned(), text)
+            }
+        };
+        let machine = settings::parse(&source, &text, settings)?;
+        machine.check()?;
+        Ok(machine)
+    }
+
+    /// The machine as a TOML file that [`MachineDescription::load`] reads back.
+    ///
+    /// # Panics
+    /// Never: every field has a TOML form.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).expect("every field has a TOML form")
+    }
+
+    /// Words that one load may bring.
+    #[must_use]
+    pub fn load_words(&self) -> u32 {
+        match self.tm.load_words {
+            LoadWords::Words(words) => words,
+            LoadWords::Line(Line::Line) => self.l1.line_words(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn error(settings: &[&str]) -> String {
+        let settings: Vec<String> = settings.iter().map(|s| (*s).to_owned()).collect();
+        MachineDescription::load("trax", &settings).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn presets_read_back() {
+        for (name, _) in PRESETS {
+            let machine = MachineDescription::load(name, &[]).unwrap();
+            assert_eq!(machine.name, name);
+            let again: MachineDescription = toml::from_str(&machine.to_toml()).unwrap();
+            assert_eq!(again, machine);
+        }
+        let trax = MachineDescription::load("trax", &[]).unwrap();
+        assert_eq!(trax.dram.bytes(trax.l2.line.0), 2 << 30);
+    }
+
+    #[test]
+    fn settings_change_keys() {
+        let settings = ["l1.size=64KiB", "tm.load_words=line", "units.fp_add.count = 4", "name=mine"];
+        let machine = MachineDescription::load("trax", &settings.map(str::to_owned)).unwrap();
+        assert_eq!(machine.l1.size, Bytes(64 << 10));
+        assert_eq!(machine.load_words(), 16);
+        assert_eq!(machine.units.fp_add.count, 4);
+        assert_eq!(machine.name, "mine");
+    }
+
+    #[test]
+    fn errors_name_the_key() {
+        for (setting, key) in [
+            ("l1.banks=0", "l1.banks"),
+            ("l1.banks=3", "l1.banks"),
+            ("l1.sizes=64KiB", "sizes"),
+            ("l3.size=64KiB", "l3"),
+            ("l1.size=48KiB", "l1.size"),
+            ("l1.size=big", "l1.size"),
+            ("l1.size=64KB", "size"),
+            ("tm.threads=0", "tm.threads"),
+            ("tm.threads=65", "tm.threads"),
+            ("tm.load_words=3", "tm.load_words"),
+            ("units.fp_add.count=-1", "units.fp_add.count"),
+            ("units.fp_add.latency_cycles=0", "units.fp_add.latency_cycles"),
+            ("dram.channels=0", "dram.channels"),
+            ("dram.write_drain_high=90", "dram.write_drain_high"),
+            ("dram.timing.burst=0", "dram.timing.burst"),
+            ("clock_ghz=nan", "clock_ghz"),
+            ("chip.l2_partitions=0", "chip.l2_partitions"),
+            ("l1.size", "l1.size"),
+        ] {
+            let message = error(&[setting]);
+            assert!(message.contains(key), "{setting}: {message}");
+        }
+        let message = MachineDescription::load("no-such-machine", &[]).unwrap_err().to_string();
+        assert!(message.contains("no-such-machine") && message.contains("simtrax-reference"), "{message}");
+    }
+}

@@ -1,0 +1,14 @@
+//! The reference runs: a software BVH2 on the public simulator, with its rays, its tree and its results.
+
+mod runs;
+mod scene;
+mod traversal;
+
+pub use runs::{Compared, PRESET, ReferenceRun, ReferenceRuns, ValidatedRun, ValidationError};
+pub use scene::{RaySet, ReferenceError, ReferenceScene};
+pub use traversal::ReferenceWork;
+
+/// The program of closest-hit sets.
+pub const CLOSEST: &str = include_str!("../../kernels/reference.s");
+/// The program of any-hit sets.
+pub const ANY: &str = include_str!("../../kernels/reference-any.s");

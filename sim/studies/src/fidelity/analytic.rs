@@ -1,0 +1,177 @@
+//! The analytic bound: the work of the rays over the machine's peak rates.
+
+use super::batches::Batches;
+use costs::Unit;
+use machine::core::{Counts, DramCounts, Tape, ThreadCycles, Work, accesses};
+use machine::description::MachineDescription;
+use machine::frame::FrameWork;
+use machine::program::{EntryId, Kind, Place, Program, RunId, START};
+use machine::results::Instructions;
+use rayon::prelude::*;
+
+/// What some pixels ask of the machine.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// Times that each run is executed.
+    pub runs: Vec<u64>,
+    /// Instructions of the pixel with the most.
+    pub longest: u64,
+    /// Lines that are read at least once, a bit each.
+    lines: Vec<u64>,
+    /// Words that are stored.
+    pub stores: u64,
+}
+
+impl Asked {
+    fn merge(mut self, other: &Self) -> Self {
+        let add = |a: &mut Vec<u64>, b: &[u64], join: fn(u64, u64) -> u64| {
+            a.resize(a.len().max(b.len()), 0);
+            a.iter_mut().zip(b).for_each(|(a, b)| *a = join(*a, *b));
+        };
+        add(&mut self.runs, &other.runs, |a, b| a + b);
+        add(&mut self.lines, &other.lines, |a, b| a | b);
+        self.longest = self.longest.max(other.longest);
+        self.stores += other.stores;
+        self
+    }
+
+    /// Different lines read.
+    #[must_use]
+    pub fn distinct_lines(&self) -> u64 {
+        self.lines.iter().map(|word| u64::from(word.count_ones())).sum()
+    }
+}
+
+/// Records the batches `indices`, each on its own, on all of the host's threads.
+#[must_use]
+pub fn record(work: &FrameWork<'_>, batches: &Batches, indices: &[u32], line_words: u32) -> Vec<Asked> {
+    let program = &work.program;
+    let item = Ends::of(program).later;
+    let lengths: Vec<u64> = program.code.runs.iter().map(|run| u64::from(run.length)).collect();
+    let batch = |&index: &u32| {
+        let mut asked = Asked {
+            runs: vec![0; program.code.runs.len()],
+            lines: vec![0; work.layout().words.div_ceil(u64::from(line_words) * 64) as usize],
+            ..Asked::default()
+        };
+        let mut words = vec![];
+        let mut before = 0;
+        for pixel in batches.items_of(index) {
+            words.clear();
+            let mut tape = Tape::new(program, item, &mut words, &mut asked.runs).not_timed();
+            tape.event(item, 0);
+            work.record(pixel, &mut tape);
+            let total: u64 = asked.runs.iter().zip(&lengths).map(|(times, length)| times * length).sum();
+            asked.longest = asked.longest.max(total - before);
+            before = total;
+            accesses(program, &words, |kind, word| match kind {
+                Kind::Load => {
+                    let line = word / line_words;
+                    asked.lines[line as usize / 64] |= 1 << (line % 64);
+                }
+                _ => asked.stores += 1,
+            });
+        }
+        asked
+    };
+    indices.par_iter().map(batch).collect()
+}
+
+/// The sum of `batches`.
+#[must_use]
+pub fn sum(batches: &[Asked]) -> Asked {
+    batches.iter().fold(Asked::default(), Asked::merge)
+}
+
+/// The runs that every thread executes beside those of pixels, and the entries behind the counter: where a thread takes its
+/// first pixel, and where every later one.
+struct Ends {
+    start: RunId,
+    first: EntryId,
+    later: EntryId,
+}
+
+impl Ends {
+    fn of(program: &Program) -> Self {
+        let start = program.run(program.entry(START), 0);
+        let first = program.code.runs[start as usize].next.expect("a thread takes an item first");
+        let runs = 0..program.code.runs.len() as RunId;
+        let counts = |run: &RunId| *run != start && program.places_of(*run).contains(&Place::Counter);
+        let later = runs.filter(counts).find_map(|run| program.code.runs[run as usize].next);
+        Self { start, first, later: later.unwrap_or(first) }
+    }
+
+    /// Adds them to the `runs` of pixels that were all recorded as later ones.
+    fn add(&self, program: &Program, threads: u64, runs: &mut [u64]) {
+        runs[self.start as usize] += threads;
+        runs[program.run(self.later, program.condition("no_more")) as usize] += threads;
+        let (first, later) = (program.run(self.first, 0), program.run(self.later, 0));
+        let moved = threads.min(runs[later as usize]);
+        runs[later as usize] -= moved;
+        runs[first as usize] += moved;
+    }
+}
+
+/// A lower bound with the resource that it is due to.
+#[derive(Clone, Debug)]
+pub struct Bound {
+    /// What would be counted in that time.
+    pub counts: Counts,
+    /// The resource.
+    pub resource: String,
+}
+
+/// The least that `machine` needs for what is `asked`, `scale` times.
+#[must_use]
+pub fn bound(machine: &MachineDescription, program: &Program, asked: &Asked, scale: f64) -> Bound {
+    let threads = u64::from(machine.chip.tms() * machine.tm.threads);
+    let mut runs: Vec<u64> = asked.runs.iter().map(|times| (*times as f64 * scale).round() as u64).collect();
+    Ends::of(program).add(program, threads, &mut runs);
+    let mut counts = Counts { runs, ..Counts::default() };
+    let instructions = Instructions::new(program, &counts);
+    let tms = f64::from(machine.chip.tms());
+    // What is read more than once need not come from memory again; a sample's lines are some of the frame's.
+    let lines = asked.distinct_lines();
+    let icache = &machine.icache;
+    let fetches = f64::from(icache.caches) * f64::from(icache.banks) * f64::from(icache.fetches_per_bank);
+    let timing = &machine.dram.timing;
+    let mut bounds = vec![
+        ("issue".to_owned(), instructions.total as f64 / threads as f64),
+        ("fetch".to_owned(), instructions.total as f64 / (tms * fetches)),
+        ("pipeline".to_owned(), instructions.pipeline as f64 / tms),
+        ("longest pixel".to_owned(), asked.longest as f64),
+        (
+            "memory".to_owned(),
+            lines as f64 * f64::from(timing.burst.max(timing.column_to_column))
+                / f64::from(machine.dram.channels * machine.dram.clocks_per_cycle),
+        ),
+    ];
+    if machine.l1.enabled {
+        let accesses = (instructions.loads + instructions.stores) as f64;
+        bounds.push(("l1".to_owned(), accesses / (tms * f64::from(machine.l1.banks))));
+    }
+    for unit in Unit::ALL {
+        let times = instructions.units.get(&unit).copied().unwrap_or(0) as f64;
+        let name = unit.name().to_owned();
+        bounds.push((name, times / (tms * f64::from(machine.units.pool(unit).count))));
+    }
+    let (resource, cycles) =
+        bounds.into_iter().fold((String::new(), 0.0), |a, b| if b.1 > a.1 { b } else { a });
+    counts.cycles = cycles.ceil() as u32;
+    let all = u64::from(counts.cycles) * threads;
+    let issue = instructions.total - instructions.nops;
+    counts.thread_cycles = ThreadCycles { issue, nop: instructions.nops, ..ThreadCycles::default() };
+    counts.thread_cycles.data = all.saturating_sub(instructions.total);
+    counts.l1.loads = instructions.loads;
+    counts.l1.hits = instructions.loads.saturating_sub(lines);
+    counts.l1.stores = instructions.stores;
+    counts.l2.loads = lines;
+    counts.l2.stores = instructions.stores;
+    let clocks = u64::from(counts.cycles) * u64::from(machine.dram.clocks_per_cycle);
+    counts.dram = DramCounts {
+        reads: lines,
+        active_clocks: clocks * u64::from(machine.dram.channels),
+        ..DramCounts::default()
+    };
+    Bound { counts, resource }
+}

@@ -1,0 +1,82 @@
+//! The dual-split pipeline's netlist in a narrow format as a step function: a node goes in, and its result comes out eight
+//! cycles later. [`logic::steps`] does the same in binary32, faster.
+
+use fp::{Arithmetic, Rounding};
+use golden::dst::{Child, Code, Step};
+use golden::precision::NarrowRay;
+use netlist::{Evaluator, Flat};
+use pipelines::equivalence::Ports;
+use pipelines::equivalence::cases::{NodeCase, RayWords};
+
+const LATENCY_CYCLES: usize = 8;
+
+/// A pipeline with one node at a time in it.
+pub struct Hardware<'n> {
+    ports: Ports<'n>,
+    inputs: Vec<u128>,
+    simulation: Evaluator<'n>,
+}
+
+impl<'n> Hardware<'n> {
+    /// The pipeline at power-up.
+    #[must_use]
+    pub fn new(netlist: &'n Flat) -> Self {
+        let inputs = vec![0; netlist.inputs.len()];
+        Self { ports: Ports::new(netlist), inputs, simulation: Evaluator::new(netlist) }
+    }
+
+    /// One step in the pipeline's own format, `arithmetic`'s; the ray has one value for its origin and reciprocals, as the
+    /// naive variant's.
+    pub fn narrow_step(
+        &mut self,
+        arithmetic: Arithmetic,
+        words: [u32; 3],
+        ray: &NarrowRay,
+        t_min: f32,
+        t_max: f32,
+    ) -> Step {
+        self.run(&narrow_case(arithmetic, words, ray, t_min, t_max), |bits| arithmetic.to_f32(bits))
+    }
+
+    fn run(&mut self, case: &NodeCase, number: impl Fn(u32) -> f32) -> Step {
+        self.inputs[self.ports.input("en_i")] = 1;
+        self.inputs[self.ports.input("valid_i")] = 1;
+        self.ports.node().drive(&mut self.inputs, case);
+        self.simulation.cycle(&self.inputs);
+        self.inputs[self.ports.input("valid_i")] = 0;
+        for _ in 1..LATENCY_CYCLES {
+            self.simulation.cycle(&self.inputs);
+        }
+        let outputs = self.simulation.cycle(&self.inputs);
+        let output = |name: &str| outputs[self.ports.output(name)] as u32;
+        let slot = |which: &str| {
+            let word = |what: &str| output(&format!("{which}_{what}_o"));
+            Child { offset: word("offset"), t_min: number(word("t_min")), t_max: number(word("t_max")) }
+        };
+        let code = [Code::Miss, Code::One, Code::Two, Code::Leaf][output("code_o") as usize];
+        Step { code, near: slot("near"), far: slot("far") }
+    }
+}
+
+/// The pipeline's inputs for a step in the format of `arithmetic`; the ray has one value for its origin and reciprocals, as
+/// the naive variant's.
+#[must_use]
+pub fn narrow_case(
+    arithmetic: Arithmetic,
+    words: [u32; 3],
+    ray: &NarrowRay,
+    t_min: f32,
+    t_max: f32,
+) -> NodeCase {
+    // All are numbers of the format already: no rounding takes place.
+    let bits = |x: f32| arithmetic.from_f32(x, Rounding::NearestEven);
+    let ray = RayWords {
+        origin: ray.origin_entry.map(bits),
+        inv_entry: ray.inv_entry.map(bits),
+        inv_exit: ray.inv_exit.map(bits),
+        t_min: bits(t_min),
+        t_max: bits(t_max),
+    };
+    let plane = |word: u32| bits(f32::from_bits(word));
+    NodeCase { words: [words[0], plane(words[1]), plane(words[2])], ray }
+}

@@ -1,0 +1,164 @@
+//! A folder of results that a later run may write anew.
+
+use anyhow::{Context, bail};
+use base::output::write_file;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The list of the files in a folder that the tool made: those and no others may be replaced.
+const LIST: &str = ".dualsplit-artifacts";
+
+/// A folder that is being filled.
+pub struct Artifacts {
+    folder: PathBuf,
+    force: bool,
+    /// Files of this and earlier runs, relative to the folder.
+    owned: BTreeSet<String>,
+    /// Files of this run, in order.
+    written: Vec<String>,
+}
+
+impl Artifacts {
+    /// Makes `folder`, or goes on in one that is empty or made by an earlier run; in any other only with `force`.
+    pub fn create(folder: &Path, force: bool) -> anyhow::Result<Self> {
+        let list = folder.join(LIST);
+        let owned = match fs::read_to_string(&list) {
+            Ok(text) => text.lines().map(str::to_owned).collect(),
+            Err(_) => {
+                let occupied = folder.symlink_metadata().is_ok()
+                    && fs::read_dir(folder).map_or(true, |mut entries| entries.next().is_some());
+                if occupied && !force {
+                    bail!(
+                        "{}: the folder exists and was not made by this tool; name another with --out, or use --force \
+                         to write into it",
+                        folder.display()
+                    );
+                }
+                fs::create_dir_all(folder).with_context(|| {
+                    format!("{}: cannot make the folder; name another with --out", folder.display())
+                })?;
+                BTreeSet::new()
+            }
+        };
+        Ok(Self { folder: folder.to_owned(), force, owned, written: vec![] })
+    }
+
+    /// Writes the file `name`, a relative path with `/`. A file that the tool did not make is kept without `force`.
+    pub fn write(&mut self, name: &str, bytes: &[u8]) -> anyhow::Result<()> {
+        let path = self.folder.join(name);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent)
+                .with_context(|| format!("{}: cannot make the folder", parent.display()))?;
+        }
+        let replace = self.force || self.owned.contains(name);
+        if !replace && path.symlink_metadata().is_ok() {
+            bail!(
+                "{}: the file was not made by this tool; move it, or use --force to replace it",
+                path.display()
+            );
+        }
+        // Listed before it is written, so that a run that is interrupted leaves nothing that the next one fears.
+        if self.owned.insert(name.to_owned()) {
+            self.save_list()?;
+        }
+        write_file(&path, replace, |out| out.write_all(bytes))?;
+        self.written.push(name.to_owned());
+        Ok(())
+    }
+
+    /// Keeps the file `name`, which an earlier run has made, as one of this run; false if there is none.
+    pub fn keep(&mut self, name: &str) -> bool {
+        let kept = self.owned.contains(name) && self.folder.join(name).is_file();
+        if kept && !self.written.iter().any(|written| written == name) {
+            self.written.push(name.to_owned());
+        }
+        kept
+    }
+
+    /// Leaves the file `name` out of this run's, so that it is removed at the end.
+    pub fn drop(&mut self, name: &str) {
+        self.written.retain(|written| written != name);
+    }
+
+    /// Removes what earlier runs made and this one did not, and returns the paths of this run's files in order.
+    pub fn finish(mut self) -> anyhow::Result<Vec<PathBuf>> {
+        let current: BTreeSet<String> = self.written.iter().cloned().collect();
+        for stale in self.owned.difference(&current) {
+            let path = self.folder.join(stale);
+            if is_plain(stale) && path.symlink_metadata().is_ok() {
+                fs::remove_file(&path).with_context(|| format!("{}: cannot remove", path.display()))?;
+            }
+        }
+        self.owned = current;
+        self.save_list()?;
+        Ok(self.written.iter().map(|name| self.folder.join(name)).collect())
+    }
+
+    fn save_list(&self) -> anyhow::Result<()> {
+        let path = self.folder.join(LIST);
+        let text: String = self.owned.iter().map(|name| format!("{name}\n")).collect();
+        Ok(write_file(&path, true, |out| out.write_all(text.as_bytes()))?)
+    }
+}
+
+/// Whether a listed name stays inside the folder: the list is a file that anybody can edit.
+fn is_plain(name: &str) -> bool {
+    Path::new(name).components().all(|part| matches!(part, std::path::Component::Normal(_)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(folder: &Path, names: &[&str], force: bool) -> anyhow::Result<Vec<PathBuf>> {
+        let mut artifacts = Artifacts::create(folder, force)?;
+        for name in names {
+            artifacts.write(name, name.as_bytes())?;
+        }
+        artifacts.finish()
+    }
+
+    #[test]
+    fn a_run_replaces_the_files_of_earlier_ones_and_no_others() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("out");
+        let paths = run(&folder, &["b", "sub/a", "old"], false).unwrap();
+        assert_eq!(paths, ["b", "sub/a", "old"].map(|name| folder.join(name)));
+        fs::write(folder.join("mine"), "mine").unwrap();
+        run(&folder, &["b", "sub/a"], false).unwrap();
+        assert!(!folder.join("old").exists(), "made by the tool, and no longer part of the result");
+        assert_eq!(fs::read(folder.join("mine")).unwrap(), b"mine");
+        let error = run(&folder, &["b", "mine"], false).unwrap_err().to_string();
+        assert!(error.contains("mine") && error.contains("--force"), "{error}");
+        assert_eq!(fs::read(folder.join("mine")).unwrap(), b"mine");
+        run(&folder, &["mine"], true).unwrap();
+    }
+
+    #[test]
+    fn folders_of_others_are_left_alone() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("photos");
+        fs::create_dir(&folder).unwrap();
+        run(&folder, &[], false).unwrap();
+        fs::remove_file(folder.join(LIST)).unwrap();
+        fs::write(folder.join("cat.png"), "cat").unwrap();
+        let error = run(&folder, &["a"], false).unwrap_err().to_string();
+        assert!(error.contains("--force"), "{error}");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        let file = folder.join("cat.png");
+        assert!(run(&file, &["a"], false).is_err());
+    }
+
+    #[test]
+    fn an_edited_list_removes_nothing_outside() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("out");
+        run(&folder, &["a"], false).unwrap();
+        let outside = parent.path().join("precious");
+        fs::write(&outside, "x").unwrap();
+        fs::write(folder.join(LIST), format!("a\n../precious\n{}\n", outside.display())).unwrap();
+        run(&folder, &["a"], false).unwrap();
+        assert!(outside.exists());
+    }
+}

@@ -1,0 +1,94 @@
+//! The hardware: checks, Verilog, waveforms, area and energy.
+
+use super::shared::{DetailArgs, ModeArgs, QualityArgs};
+use super::values::{format, unit};
+use clap::Args;
+use pipelines::catalogue::{StandardFormat, Top};
+use std::path::PathBuf;
+
+#[derive(Args, Debug)]
+pub struct CheckArgs {
+    /// The unit or pipeline [default: all].
+    #[arg(long, value_name = "UNIT", value_parser = unit())]
+    pub unit: Option<Top>,
+    /// Operations to compare for each, besides stalls and bubbles.
+    #[arg(long, default_value_t = 10_000, value_name = "N")]
+    pub vectors: u64,
+    /// Put the Nth of the unit's faults into its netlist first, counted from 0, to see the check fail.
+    #[arg(long, value_name = "N", requires = "unit", conflicts_with_all = ["exhaustive", "prove"])]
+    pub mutate: Option<usize>,
+    /// Compare all pairs of operands of a format of at most 16 bits instead, in every mode of the unit: add, sub, mul, min,
+    /// max, lt, le or eq.
+    #[arg(long, num_args = 2, value_names = ["FORMAT", "OP"], conflicts_with_all = ["unit", "vectors", "prove"])]
+    pub exhaustive: Option<Vec<String>>,
+    /// Where an interrupted exhaustive check continues from [default: check-FORMAT-OP.json]; removed when all is done.
+    #[arg(long, value_name = "FILE", requires = "exhaustive")]
+    pub state: Option<PathBuf>,
+    /// Prove instead, for all inputs and states: units and control against independent references, and the exported
+    /// Verilog, read back by yosys if that is installed, against the simulated graph.
+    #[arg(long)]
+    pub prove: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct ExportArgs {
+    /// The folder to write; one that this command made before is written anew.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// The number format of the modules.
+    #[arg(long, default_value = "binary32", value_name = "FORMAT", value_parser = format())]
+    pub format: StandardFormat,
+    /// The unit or pipeline [default: all].
+    #[arg(long, value_name = "UNIT", value_parser = unit())]
+    pub unit: Option<Top>,
+    /// Cycles in each testbench.
+    #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub vectors: u32,
+    /// Clock period of the timing constraint in nanoseconds.
+    #[arg(long, default_value_t = 1.0, value_name = "NS")]
+    pub period_ns: f64,
+}
+
+#[derive(Args, Debug)]
+pub struct WaveArgs {
+    /// The unit or pipeline; single units show what they are given inside the dual-split pipeline.
+    #[arg(long, value_name = "UNIT", value_parser = unit())]
+    pub unit: Top,
+    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    #[arg(long)]
+    pub scene: String,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    /// Number of rays, from the camera towards vertices spread over the mesh.
+    #[arg(long, default_value_t = 4, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub rays: u32,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// The waveform, a VCD file.
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+#[derive(Args, Debug)]
+pub struct EstimateArgs {
+    /// Standard cells to map to: a liberty file, which may be gzip-compressed; several if a library has several
+    /// [default: an embedded table].
+    #[arg(long, value_name = "FILE")]
+    pub liberty: Vec<PathBuf>,
+    /// Synthesise the exported Verilog with yosys and ABC too, for minutes, and print both.
+    #[arg(long)]
+    pub synth: bool,
+    /// The scene whose rays make the nets change: a built-in one or an OBJ file, which may be xz-compressed. May be given
+    /// several times: the first is the one of all tables, the energy in the others is a table of its own.
+    #[arg(long, default_value = "courtyard")]
+    pub scene: Vec<String>,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// A folder for the report as text, CSV, JSON and HTML; one that this command made before is written anew.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}

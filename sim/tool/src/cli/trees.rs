@@ -1,0 +1,140 @@
+//! Scenes, trees and pictures.
+
+use super::shared::{DetailArgs, ModeArgs, QualityArgs, SceneArgs, StructureArgs, ViewArgs};
+use super::values::{pixel, quantity, row, test};
+use clap::Args;
+use golden::structure::StructureKind;
+use render::Test;
+use std::path::PathBuf;
+use view::picture::heatmap::Quantity;
+
+#[derive(Args, Debug)]
+pub struct ScenesArgs {
+    /// The scene to write.
+    #[arg(requires = "export")]
+    pub name: Option<String>,
+    /// The OBJ file to write, xz-compressed if it ends in .xz.
+    #[arg(long, value_name = "FILE", requires = "name")]
+    pub export: Option<PathBuf>,
+    #[command(flatten)]
+    pub detail: DetailArgs,
+}
+
+#[derive(Args, Debug)]
+pub struct TreeArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    /// Save a structure to this file, for --tree of other commands.
+    #[arg(long, value_name = "FILE")]
+    pub save: Option<PathBuf>,
+    /// The structure to save; dst_scratch is the dual-split tree with a partition of its own.
+    #[arg(long, default_value = "dst", requires = "save", value_parser = row())]
+    pub structure: TreeRow,
+}
+
+/// A line of the table of trees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeRow {
+    /// Converted from the one binary hierarchy.
+    Converted(StructureKind),
+    /// The dual-split tree of a partition that is made for it.
+    DstScratch,
+}
+
+impl TreeRow {
+    /// All of them, in the order of the table.
+    pub const ALL: [Self; StructureKind::ALL.len() + 1] = {
+        let mut all = [Self::DstScratch; StructureKind::ALL.len() + 1];
+        let mut i = 0;
+        while i < StructureKind::ALL.len() {
+            all[i] = Self::Converted(StructureKind::ALL[i]);
+            i += 1;
+        }
+        all
+    };
+
+    /// The name on the command line and in result files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converted(kind) => kind.name(),
+            Self::DstScratch => "dst_scratch",
+        }
+    }
+}
+
+#[derive(Args, Debug)]
+pub struct TraceArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The rays to trace, a DSTRAYS1 file.
+    #[arg(long, value_name = "FILE")]
+    pub rays: PathBuf,
+    #[command(flatten)]
+    pub structure: StructureArgs,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    /// Where to write the hits, a DSTHITS1 file.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub structure: StructureArgs,
+    /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
+    #[arg(long, default_value = "path", value_parser = test())]
+    pub test: Test,
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub view: ViewArgs,
+    /// Samples per pixel.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub spp: u32,
+    /// Brightness of the PNG in factors of two; EXR files stay as they are.
+    #[arg(long, default_value_t = 0.0, value_name = "STOPS", allow_hyphen_values = true)]
+    pub exposure: f32,
+    /// Draw the work per pixel instead of the picture.
+    #[arg(long, value_name = "QUANTITY", value_parser = quantity())]
+    pub heatmap: Option<Quantity>,
+    /// Value at the end of the heat map's scale, to compare several [default: the largest of the picture].
+    #[arg(long, value_name = "N", requires = "heatmap", value_parser = clap::value_parser!(u32).range(1..))]
+    pub heatmap_max: Option<u32>,
+    /// The picture: .png (sRGB) or .exr (linear, with depth, normal, triangle and the counters as layers).
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Also write the traced rays to a DSTRAYS1 file.
+    #[arg(long, value_name = "FILE")]
+    pub rays: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    /// A .png or .exr file.
+    pub a: PathBuf,
+    /// Another of the same format and size.
+    pub b: PathBuf,
+    /// Where to write the difference: .png as a heat map, .exr in numbers.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub struct ExplainArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Column and row of the pixel, counted from the upper left corner, from 0.
+    #[arg(long, value_name = "X,Y", value_parser = pixel)]
+    pub pixel: [u32; 2],
+    #[command(flatten)]
+    pub mode: ModeArgs,
+    #[command(flatten)]
+    pub quality: QualityArgs,
+    #[command(flatten)]
+    pub view: ViewArgs,
+}

@@ -1,0 +1,236 @@
+//! `dualsplit reproduce`: the main job, all results in one folder.
+
+mod page;
+mod presets;
+mod results;
+mod stages;
+mod tables;
+
+use super::tree;
+use crate::artifacts::Artifacts;
+use crate::cli::{Global, ReproduceArgs, quality_name};
+use crate::console::{Report, progress};
+use crate::input::{Built, display};
+use anyhow::{Context, ensure};
+use golden::structure::StructureKind;
+use page::Pictures;
+use presets::{PRESETS, Preset};
+use render::{RenderOptions, Rendering, Test, render};
+use results::{Document, RenderResult, SceneResult};
+use scenes::Scene;
+use scenes::procedural::{self, CATALOGUE, CatalogueEntry};
+use serde::Serialize;
+use stages::{Job, Outcome};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+use view::picture::heatmap::{self, Quantity};
+use view::picture::png;
+use view::report::Picture;
+
+/// The structures whose heat maps the report shows.
+const SHOWN: [StructureKind; 2] = [StructureKind::Bvh2, StructureKind::Dst];
+
+#[derive(Serialize)]
+struct Artifact {
+    artifacts: Vec<String>,
+    mode: &'static str,
+    seconds: f64,
+}
+
+pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
+    let start = Instant::now();
+    let preset = PRESETS.iter().find(|preset| preset.name == args.preset).expect("a possible value");
+    let mut artifacts = Artifacts::create(&args.out, global.force)?;
+    let options = RenderOptions {
+        seed: global.seed,
+        mode: args.mode.mode,
+        count_work: true,
+        ..RenderOptions::new(Test::Raycast, preset.measured_side, preset.measured_side)
+    };
+    let mut document = Document {
+        preset: preset.name,
+        version: env!("CARGO_PKG_VERSION"),
+        mode: args.mode.mode.name(),
+        seed: global.seed,
+        quality: quality_name(preset.quality),
+        width: options.width,
+        height: options.height,
+        spp: options.samples,
+        scenes: vec![],
+    };
+    let stages = (preset.stages)();
+    let seconds: f64 = stages.iter().map(|stage| stage.seconds).sum();
+    let parts = (stages.len() + CATALOGUE.len(), seconds + CATALOGUE.len() as f64 * preset.scene_seconds);
+    let folders: BTreeSet<&str> = stages.iter().map(|stage| stage.folder.as_str()).collect();
+    let name = format!("reproduce {} {}", preset.name, document.mode);
+    let mut job = Job::begin(&args.out, &name, global, &mut artifacts, parts, &folders)?;
+    for entry in CATALOGUE {
+        let part = format!("scene-{}", entry.name);
+        let result = job.part(&part, preset.scene_seconds, &mut artifacts, |artifacts| {
+            scene_result(entry, preset, &options, global, artifacts)
+        })?;
+        for file in files(entry.name) {
+            ensure!(
+                artifacts.keep(&file),
+                "{}: the file is gone that the interrupted run made; remove {0}/stages to begin anew",
+                args.out.display()
+            );
+        }
+        document.scenes.push(result);
+    }
+    let mut outcomes: Vec<(String, Outcome)> = vec![];
+    for stage in &stages {
+        let outcome = job.run(stage, &mut artifacts)?;
+        outcomes.push((stage.name.clone(), outcome));
+    }
+    let pictures = Pictures::read(&args.out)?;
+    artifacts.write("trees.csv", &tables::trees_csv(&document)?)?;
+    artifacts.write("work.csv", &tables::work_csv(&document)?)?;
+    artifacts.write("results.json", format!("{}\n", serde_json::to_string_pretty(&document)?).as_bytes())?;
+    let results = page::Results { document: &document, outcomes: &outcomes, folder: &args.out };
+    artifacts.write("report/index.html", results.page(pictures)?.html().as_bytes())?;
+    job.finish(&mut artifacts);
+    let mut paths: Vec<String> = artifacts.finish()?.iter().map(|path| display(path)).collect();
+    let of_stages = outcomes.iter().filter_map(|(_, outcome)| outcome.report["artifacts"].as_array());
+    paths.extend(of_stages.flatten().filter_map(|path| path.as_str().map(str::to_owned)));
+    let seconds = start.elapsed().as_secs_f64();
+    let mut text = tables::text(&document);
+    let differences: Vec<&str> =
+        outcomes.iter().filter(|(_, outcome)| outcome.difference).map(|(_, o)| o.command.as_str()).collect();
+    for command in &differences {
+        text += &format!("\nA check found a difference: {command}\n");
+    }
+    text += &format!("\n{} files in {}, {seconds:.1} s\n", paths.len(), args.out.display());
+    let mut report = Report::new(&Artifact { artifacts: paths, mode: document.mode, seconds }, text);
+    report.difference = !differences.is_empty();
+    Ok(report)
+}
+
+/// Trees, work and pictures of one scene.
+fn scene_result(
+    entry: &CatalogueEntry,
+    preset: &Preset,
+    options: &RenderOptions,
+    global: &Global,
+    artifacts: &mut Artifacts,
+) -> anyhow::Result<SceneResult> {
+    let full = procedural::count_triangles(entry.name, 1.0, global.seed)?;
+    let detail = (preset.triangles / full as f64).min(1.0);
+    let steps = Test::ALL.len() * (StructureKind::ALL.len() + 1) + 1;
+    let bar = progress(steps as u64, entry.name);
+    let scene = procedural::build(entry.name, detail, global.seed)?;
+    let built = Built::new(&scene, preset.quality)?;
+    let structures = tree::rows(&built)?;
+    bar.inc(1);
+    let renders = renders(&scene, &built, preset, options, artifacts, || bar.inc(1))?;
+    bar.finish_and_clear();
+    Ok(SceneResult {
+        scene: scene.name,
+        stands_for: entry.stands_for.into(),
+        detail,
+        triangles: scene.mesh.triangles.len(),
+        structures,
+        renders,
+    })
+}
+
+/// The pictures and heat maps of a scene.
+fn files(scene: &str) -> Vec<String> {
+    let of_test = |test: Test| {
+        let maps = StructureKind::ALL.map(|kind| heat_map_file(scene, test, kind));
+        maps.into_iter().chain([image_file(scene, test)])
+    };
+    Test::ALL.into_iter().flat_map(of_test).collect()
+}
+
+fn heat_map_file(scene: &str, test: Test, kind: StructureKind) -> String {
+    format!("heatmaps/{scene}-{test}-{kind}.png")
+}
+
+fn image_file(scene: &str, test: Test) -> String {
+    format!("images/{scene}-{test}.png")
+}
+
+impl Pictures {
+    /// Those that the page shows.
+    fn read(folder: &Path) -> anyhow::Result<Self> {
+        let picture = |file: &str, caption: String| -> anyhow::Result<Picture> {
+            let path = folder.join(file);
+            Ok(Picture { png: fs::read(&path).with_context(|| display(&path))?, caption })
+        };
+        let mut pictures = Self { images: vec![], heat_maps: vec![] };
+        for entry in CATALOGUE {
+            let name = entry.name;
+            pictures.images.push(picture(&image_file(name, Test::Path), name.to_owned())?);
+            for kind in SHOWN {
+                let caption = format!("{name}: {}, {kind}", Quantity::NodeVisits);
+                pictures.heat_maps.push(picture(&heat_map_file(name, Test::Path, kind), caption)?);
+            }
+        }
+        Ok(pictures)
+    }
+}
+
+/// Measures both tests in every structure, makes sure that all give one picture, and writes heat maps and pictures.
+fn renders(
+    scene: &Scene,
+    built: &Built,
+    preset: &Preset,
+    options: &RenderOptions,
+    artifacts: &mut Artifacts,
+    done: impl Fn(),
+) -> anyhow::Result<Vec<RenderResult>> {
+    let mut results = vec![];
+    for test in Test::ALL {
+        let options = RenderOptions { test, ..*options };
+        let mut renderings = vec![];
+        for kind in StructureKind::ALL {
+            let (structure, _) = built.convert(kind)?;
+            let rendering = render(&structure, scene, &options, |_| {})?;
+            results.push(RenderResult::new(kind, test, &rendering));
+            renderings.push((kind, rendering));
+            done();
+        }
+        let (_, first) = &renderings[0];
+        // One scale for all structures, so that the maps can be compared.
+        let quantity = Quantity::NodeVisits;
+        let scale_max = renderings.iter().map(|(_, rendering)| quantity.max(rendering)).max();
+        for (kind, rendering) in &renderings {
+            ensure!(
+                same_picture(first, rendering),
+                "{} {test}: {kind} gives another picture than {}; this is a defect of the program",
+                scene.name,
+                StructureKind::ALL[0]
+            );
+            let map = heatmap::of_rendering(rendering, quantity, scale_max);
+            let map = png::encode(&map);
+            artifacts.write(&heat_map_file(&scene.name, test, *kind), &map)?;
+        }
+        let (structure, _) = built.convert(StructureKind::Dst)?;
+        let options = RenderOptions {
+            width: preset.picture_side,
+            height: preset.picture_side,
+            samples: preset.picture_samples,
+            count_work: false,
+            ..options
+        };
+        let rendering = render(&structure, scene, &options, |_| {})?;
+        let picture = png::encode(&png::develop(&rendering, 0.0));
+        artifacts.write(&image_file(&scene.name, test), &picture)?;
+        done();
+    }
+    Ok(results)
+}
+
+/// Whether two renderings are equal bit for bit in all but the work that they took.
+fn same_picture(a: &Rendering, b: &Rendering) -> bool {
+    let bits = |r: &Rendering| {
+        let pixel = |p: &render::Pixel| {
+            (p.rgb.map(f32::to_bits), p.depth.to_bits(), p.normal.map(f32::to_bits), p.triangle)
+        };
+        r.pixels.iter().map(pixel).collect::<Vec<_>>()
+    };
+    bits(a) == bits(b)
+}

@@ -1,0 +1,124 @@
+//! What a study simulates.
+
+use anyhow::Context;
+use machine::description::MachineDescription;
+use machine::frame::MachineStructure;
+use render::Test;
+use serde::{Deserialize, Serialize};
+
+/// The size of a study.
+pub struct Preset {
+    /// Fraction of the scenes' triangles.
+    pub detail: f64,
+    pub width: u32,
+    pub height: u32,
+    /// Partitions and multiprocessors per partition.
+    pub chip: [u32; 2],
+    /// Multiprocessors of the scaling runs, up to eight in a partition.
+    scaling_tms: &'static [u32],
+}
+
+/// For the main job, which has two minutes for it.
+const SMALL: Preset = Preset { width: 32, height: 32, ..QUICK };
+const QUICK: Preset =
+    Preset { detail: 0.02, width: 64, height: 64, chip: [1, 4], scaling_tms: &[1, 2, 4, 8] };
+const MEDIUM: Preset =
+    Preset { detail: 0.25, width: 128, height: 128, chip: [4, 8], scaling_tms: &[1, 2, 4, 8, 16, 32, 64] };
+const PAPER: Preset = Preset { detail: 1.0, width: 256, height: 256, ..MEDIUM };
+
+impl Preset {
+    /// The preset `name` of the command line.
+    pub fn find(name: &str) -> anyhow::Result<&'static Self> {
+        [("small", &SMALL), ("quick", &QUICK), ("medium", &MEDIUM), ("paper", &PAPER)]
+            .into_iter()
+            .find_map(|(known, preset)| (known == name).then_some(preset))
+            .with_context(|| format!("--preset {name}: the presets are small, quick, medium and paper"))
+    }
+}
+
+/// What a simulation is a part of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Series {
+    /// All scenes, structures and tests.
+    Main,
+    /// One scene on more and fewer multiprocessors.
+    Scaling,
+    /// Some scenes with loads of more words.
+    LoadWidth,
+}
+
+/// The scene and test of the scaling runs.
+pub const SCALING_SCENE: &str = "atrium";
+pub const SCALING_TEST: Test = Test::Path;
+/// The scenes and the test of the runs with wider loads; one word is the main series.
+pub const WIDTH_SCENES: [&str; 2] = ["atrium", "hairball"];
+pub const WIDTH_TEST: Test = Test::Path;
+const WIDER_LOADS: [&str; 3] = ["2", "4", "line"];
+
+/// One simulation.
+#[derive(Clone, Copy)]
+pub struct Job {
+    pub structure: MachineStructure,
+    pub test: Test,
+    pub series: Series,
+    /// Partitions and multiprocessors per partition.
+    pub chip: [u32; 2],
+    /// Words of a load.
+    pub load_words: &'static str,
+}
+
+impl Job {
+    /// All of a scene, the main series first. What a series shares with it is simulated once, there.
+    pub fn of_scene(scene: &str, preset: &Preset) -> Vec<Self> {
+        let main = |structure| {
+            Test::ALL.map(|test| Self {
+                structure,
+                test,
+                series: Series::Main,
+                chip: preset.chip,
+                load_words: "1",
+            })
+        };
+        let mut jobs: Vec<Self> = MachineStructure::ALL.into_iter().flat_map(main).collect();
+        let of_test = |test: Test| jobs.iter().filter(move |job| job.test == test).copied();
+        let mut others = vec![];
+        if scene == SCALING_SCENE {
+            let chips = preset.scaling_tms.iter().map(|tms| [tms.div_ceil(8), (*tms).min(8)]);
+            for chip in chips.filter(|chip| *chip != preset.chip) {
+                let job = |job| Self { series: Series::Scaling, chip, ..job };
+                others.extend(of_test(SCALING_TEST).map(job));
+            }
+        }
+        if WIDTH_SCENES.contains(&scene) {
+            for load_words in WIDER_LOADS {
+                let job = |job| Self { series: Series::LoadWidth, load_words, ..job };
+                others.extend(of_test(WIDTH_TEST).map(job));
+            }
+        }
+        jobs.extend(others);
+        jobs
+    }
+
+    /// The machine that it runs on: that of the command line but for what the study varies.
+    pub fn machine(&self, name: &str, settings: &[String]) -> anyhow::Result<MachineDescription> {
+        let mut settings = settings.to_vec();
+        settings.push(format!("chip.l2_partitions={}", self.chip[0]));
+        settings.push(format!("chip.tms_per_partition={}", self.chip[1]));
+        if self.series == Series::LoadWidth {
+            settings.push(format!("tm.load_words={}", self.load_words));
+        }
+        Ok(MachineDescription::load(name, &settings)?)
+    }
+
+    /// The file that keeps its row.
+    pub fn file(&self, scene: &str, preset: &str) -> String {
+        let part = match self.series {
+            Series::Main => String::new(),
+            Series::Scaling => format!("-{}tms", self.chip[0] * self.chip[1]),
+            Series::LoadWidth => format!("-{}words", self.load_words),
+        };
+        let structure = self.structure.name().replace('+', "p");
+        format!("runs/{preset}-{scene}-{}-{structure}{part}.json", self.test)
+    }
+}

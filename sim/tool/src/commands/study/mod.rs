@@ -1,0 +1,172 @@
+//! `dualsplit study`: the paper's study, all scenes, structures and tests on the machine.
+
+mod comparison;
+mod jobs;
+mod plots;
+mod row;
+mod text;
+
+use crate::artifacts::Artifacts;
+use crate::cli::{Global, StudyArgs};
+use crate::console::{Report, progress};
+use crate::input::{Built, display};
+use anyhow::{Context, bail};
+use comparison::{Claim, compare};
+use golden::structure::{Structure, StructureKind};
+use jobs::{Job, Preset, Series};
+use machine::frame::{FrameMachine, frame};
+use machine::results::Results;
+use rayon::prelude::*;
+use render::RenderOptions;
+use row::Row;
+use scenes::Scene;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+#[derive(Serialize)]
+struct Document {
+    preset: String,
+    rows: Vec<Row>,
+    scaling: Vec<Row>,
+    load_width: Vec<Row>,
+    comparison: Vec<Claim>,
+    artifacts: Vec<String>,
+}
+
+pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
+    let preset = Preset::find(&args.preset)?;
+    let names: Vec<&str> = scenes::procedural::CATALOGUE.iter().map(|entry| entry.name).collect();
+    let chosen: Vec<&str> = match &args.scene {
+        Some(scene) => match names.iter().find(|name| **name == scene.as_str()) {
+            Some(name) => vec![*name],
+            None => bail!("--scene {scene}: the study's scenes are {}", names.join(", ")),
+        },
+        None => names,
+    };
+    let mut artifacts = Artifacts::create(&args.out, global.force)?;
+    let mut runs = finished(&args.out)?;
+    for scene in chosen {
+        simulate_scene(scene, preset, args, global, &mut runs, &mut artifacts)?;
+    }
+    for (name, row) in &runs {
+        artifacts.write(name, serde_json::to_string_pretty(row)?.as_bytes())?;
+    }
+    let all: Vec<Row> = runs.into_values().filter(|row| row.preset == args.preset).collect();
+    let of = |series| row::of_series(&all, series);
+    let (rows, scaling, load_width) = (of(Series::Main), of(Series::Scaling), of(Series::LoadWidth));
+    let comparison = compare(&rows, &scaling);
+    artifacts.write("study.csv", row::csv(all.iter())?.as_bytes())?;
+    artifacts.write("comparison.csv", comparison::csv(&comparison)?.as_bytes())?;
+    for (name, svg) in plots::all(&rows, &scaling, &load_width) {
+        artifacts.write(&name, svg.as_bytes())?;
+    }
+    let mut document =
+        Document { preset: args.preset.clone(), rows, scaling, load_width, comparison, artifacts: vec![] };
+    let json = serde_json::to_string_pretty(&document)?;
+    artifacts.write("study.json", json.as_bytes())?;
+    document.artifacts = artifacts.finish()?.iter().map(|path| display(path)).collect();
+    let text = text::tables(&document);
+    Ok(Report::new(&document, text))
+}
+
+/// The runs that an earlier study left in `folder`.
+fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
+    let mut runs = BTreeMap::new();
+    let Ok(entries) = fs::read_dir(folder.join("runs")) else {
+        return Ok(runs);
+    };
+    for entry in entries {
+        let entry = entry?;
+        let name = format!("runs/{}", entry.file_name().to_string_lossy());
+        let text = fs::read_to_string(entry.path()).with_context(|| display(&entry.path()))?;
+        // A file of an older version is made anew.
+        if let Ok(row) = serde_json::from_str(&text) {
+            runs.insert(name, row);
+        }
+    }
+    Ok(runs)
+}
+
+fn simulate_scene(
+    name: &str,
+    preset: &Preset,
+    args: &StudyArgs,
+    global: &Global,
+    runs: &mut BTreeMap<String, Row>,
+    artifacts: &mut Artifacts,
+) -> anyhow::Result<()> {
+    let method = args.machine.pipeline_cost.method();
+    let mut open = vec![];
+    for job in Job::of_scene(name, preset) {
+        let machine = job.machine(&args.machine.machine, &args.machine.settings)?;
+        let machine = FrameMachine::new(&machine, job.structure, estimate::by_name(method))?;
+        let file = job.file(name, &args.preset);
+        let fingerprint = row::fingerprint(&machine, args.quality.quality, global.seed, preset);
+        if runs.get(&file).is_none_or(|row| row.fingerprint != fingerprint) {
+            open.push((job, machine, file, fingerprint));
+        }
+    }
+    if open.is_empty() {
+        return Ok(());
+    }
+    let scene = Scene::load(name, preset.detail, global.seed)?;
+    let built = Built::new(&scene, args.quality.quality)?;
+    let structures = StructureKind::ALL
+        .into_par_iter()
+        .map(|kind| Ok(built.convert(kind)?.0))
+        .collect::<anyhow::Result<Vec<Structure>>>()?;
+    let bar = progress(open.len() as u64, name);
+    // In batches, so that an interrupted study goes on where it was.
+    for batch in open.chunks(rayon::current_num_threads().max(1)) {
+        let done = batch
+            .par_iter()
+            .map(|(job, machine, file, fingerprint)| {
+                let row = simulate_one(&scene, &structures, preset, args, global, job, machine, fingerprint)?;
+                bar.inc(1);
+                Ok((file.clone(), row))
+            })
+            .collect::<anyhow::Result<Vec<(String, Row)>>>()?;
+        for (file, row) in done {
+            artifacts.write(&file, serde_json::to_string_pretty(&row)?.as_bytes())?;
+            runs.insert(file, row);
+        }
+    }
+    bar.finish_and_clear();
+    Ok(())
+}
+
+#[allow(clippy::too_many_arguments, reason = "everything that a run depends on")]
+fn simulate_one(
+    scene: &Scene,
+    structures: &[Structure],
+    preset: &Preset,
+    args: &StudyArgs,
+    global: &Global,
+    job: &Job,
+    set_up: &FrameMachine,
+    fingerprint: &str,
+) -> anyhow::Result<Row> {
+    let structure = structures.iter().find(|s| s.kind() == job.structure.kind()).expect("all kinds");
+    let mut options = RenderOptions::new(job.test, preset.width, preset.height);
+    options.seed = global.seed;
+    let frame = frame(set_up, scene, structure, &options, |_| {})?;
+    let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts)?;
+    Ok(Row::new(
+        row::Run {
+            preset: &args.preset,
+            scene,
+            structure: job.structure.name(),
+            test: job.test.name(),
+            tms: set_up.description.chip.tms(),
+            series: job.series,
+            load_words: job.load_words,
+            node_bytes: structure.node_bytes(),
+            fingerprint,
+        },
+        &options,
+        &frame,
+        &results,
+    ))
+}

@@ -1,0 +1,136 @@
+//! The study as pictures.
+
+use super::row::Row;
+use machine::frame::MachineStructure;
+use std::collections::BTreeSet;
+use view::plot::{Axis, Bars, Chart, Point, Series, Style};
+
+/// File names and drawings.
+pub fn all(rows: &[Row], scaling: &[Row], load_width: &[Row]) -> Vec<(String, String)> {
+    let mut plots = vec![];
+    for test in ["raycast", "path"] {
+        plots.push((format!("time-{test}.svg"), bars(rows, test, "Frame time", "ms", |row| row.frame_ms)));
+        plots.push((format!("energy-{test}.svg"), bars(rows, test, "Energy", "mJ", |row| row.energy_mj)));
+        for scene in scenes(rows) {
+            plots.push((format!("energy-split-{scene}-{test}.svg"), split(rows, scene, test)));
+        }
+    }
+    let bytes = |row: &Row| row.node_bytes as f64 / 1e6;
+    plots.push(("tree-size.svg".to_owned(), bars(rows, "path", "Size of the tree", "MB", bytes)));
+    if !scaling.is_empty() {
+        plots.push(("scaling.svg".to_owned(), speed_up(scaling)));
+    }
+    for scene in scenes(load_width) {
+        let rows: Vec<&Row> = load_width.iter().filter(|row| row.scene == scene).collect();
+        let name = |what: &str| format!("load-width-{what}-{scene}.svg");
+        plots.push((name("time"), widths(&rows, "Frame time", "ms", |row| row.frame_ms)));
+        plots.push((name("energy"), widths(&rows, "Energy", "mJ", |row| row.energy_mj)));
+    }
+    plots
+}
+
+fn scenes(rows: &[Row]) -> Vec<&str> {
+    let scenes: BTreeSet<&str> = rows.iter().map(|row| row.scene.as_str()).collect();
+    scenes.into_iter().collect()
+}
+
+/// A quantity of every structure in every scene.
+fn bars(rows: &[Row], test: &str, title: &str, unit: &str, of: fn(&Row) -> f64) -> String {
+    let scenes = scenes(rows);
+    let value = |structure: MachineStructure, scene: &&str| {
+        let found = rows
+            .iter()
+            .find(|row| row.scene == **scene && row.test == test && row.structure == structure.name());
+        found.map(of)
+    };
+    let series = MachineStructure::ALL.map(|structure| {
+        (structure.name().to_owned(), scenes.iter().map(|scene| value(structure, scene)).collect())
+    });
+    Bars {
+        title: format!("{title}, {test}"),
+        unit: unit.to_owned(),
+        categories: scenes.iter().map(|scene| (*scene).to_owned()).collect(),
+        series: series.to_vec(),
+        stacked: false,
+        max: None,
+    }
+    .svg()
+}
+
+/// Energy of every structure in one scene by memory, caches and computation.
+fn split(rows: &[Row], scene: &str, test: &str) -> String {
+    let of = |part: fn(&Row) -> f64| {
+        let value = |structure: MachineStructure| {
+            let row = rows
+                .iter()
+                .find(|row| row.scene == scene && row.test == test && row.structure == structure.name());
+            row.map(part)
+        };
+        MachineStructure::ALL.map(value).to_vec()
+    };
+    Bars {
+        title: format!("Energy in {scene}, {test}"),
+        unit: "mJ".to_owned(),
+        categories: MachineStructure::ALL.map(|structure| structure.name().to_owned()).to_vec(),
+        series: vec![
+            ("DRAM".to_owned(), of(|row| row.dram_mj)),
+            ("cache".to_owned(), of(|row| row.cache_mj)),
+            ("compute".to_owned(), of(|row| row.compute_mj)),
+        ],
+        stacked: true,
+        max: None,
+    }
+    .svg()
+}
+
+/// A quantity of every structure with loads of each width.
+fn widths(rows: &[&Row], title: &str, unit: &str, of: fn(&Row) -> f64) -> String {
+    let words = ["1", "2", "4", "line"];
+    let series = words.map(|words| {
+        let value = |structure: MachineStructure| {
+            let same = |row: &&&Row| row.structure == structure.name() && row.load_words == words;
+            rows.iter().find(same).map(|row| of(row))
+        };
+        let name = if words == "1" { "1 word".to_owned() } else { words.to_owned() };
+        (name, MachineStructure::ALL.map(value).to_vec())
+    });
+    let scene = rows.first().map_or("", |row| row.scene.as_str());
+    Bars {
+        title: format!("{title} by words of a load, {scene}, path"),
+        unit: unit.to_owned(),
+        categories: MachineStructure::ALL.map(|structure| structure.name().to_owned()).to_vec(),
+        series: series.to_vec(),
+        stacked: false,
+        max: None,
+    }
+    .svg()
+}
+
+/// Speed-up over the fewest multiprocessors.
+fn speed_up(scaling: &[Row]) -> String {
+    let fewest = scaling.iter().map(|row| row.tms).min().unwrap_or(1);
+    let mut series = vec![];
+    for structure in MachineStructure::ALL {
+        let mut runs: Vec<&Row> = scaling.iter().filter(|row| row.structure == structure.name()).collect();
+        runs.sort_by_key(|row| row.tms);
+        let Some(base) = runs.iter().find(|row| row.tms == fewest) else { continue };
+        let point = |row: &&Row| Point {
+            x: f64::from(row.tms),
+            y: base.cycles as f64 / row.cycles as f64,
+            ..Point::default()
+        };
+        series.push(Series {
+            name: structure.name().to_owned(),
+            points: runs.iter().map(point).collect(),
+            style: Style::Line,
+        });
+    }
+    let scene = scaling.first().map_or("", |row| row.scene.as_str());
+    Chart {
+        title: format!("Speed-up with multiprocessors, {scene}, path"),
+        x: Axis::log("thread multiprocessors"),
+        y: Axis::log("speed-up"),
+        series,
+    }
+    .svg()
+}

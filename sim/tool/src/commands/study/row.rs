@@ -1,0 +1,165 @@
+//! One line of the study's tables.
+
+use super::jobs::{Preset, SCALING_SCENE, SCALING_TEST, Series, WIDTH_SCENES, WIDTH_TEST};
+use golden::build::Quality;
+use machine::frame::{Frame, FrameMachine};
+use machine::results::Results;
+use render::RenderOptions;
+use scenes::Scene;
+use serde::{Deserialize, Serialize};
+
+/// A simulated frame: what it is of, and what it came to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Row {
+    pub preset: String,
+    pub scene: String,
+    pub triangles: u64,
+    pub structure: String,
+    pub test: String,
+    pub width: u32,
+    pub height: u32,
+    pub tms: u32,
+    pub series: Series,
+    /// Words of a load: 1, 2, 4 or line.
+    pub load_words: String,
+    pub node_bytes: u64,
+    pub rays: u64,
+    pub cycles: u64,
+    pub frame_ms: f64,
+    pub energy_mj: f64,
+    pub dram_mj: f64,
+    pub cache_mj: f64,
+    pub compute_mj: f64,
+    pub l1_mj: f64,
+    pub l2_mj: f64,
+    pub icache_mj: f64,
+    pub registers_mj: f64,
+    pub local_store_mj: f64,
+    pub units_mj: f64,
+    pub pipeline_mj: f64,
+    pub area_mm2: f64,
+    pub instructions: u64,
+    pub loads: u64,
+    pub pipeline_operations: u64,
+    pub issue_pct: f64,
+    pub data_pct: f64,
+    pub units_pct: f64,
+    pub memory_pct: f64,
+    pub fetch_pct: f64,
+    pub nop_pct: f64,
+    pub halted_pct: f64,
+    pub l1_hit_pct: f64,
+    pub l2_hit_pct: f64,
+    pub dram_gb_s: f64,
+    /// Of everything that the run depends on.
+    pub fingerprint: String,
+}
+
+/// What a run is of.
+pub struct Run<'a> {
+    pub preset: &'a str,
+    pub scene: &'a Scene,
+    pub structure: &'a str,
+    pub test: &'a str,
+    pub tms: u32,
+    pub series: Series,
+    pub load_words: &'a str,
+    pub node_bytes: usize,
+    pub fingerprint: &'a str,
+}
+
+impl Row {
+    pub fn new(run: Run<'_>, options: &RenderOptions, frame: &Frame, results: &Results) -> Self {
+        let percent = |class: &str| results.thread_cycles[class];
+        Self {
+            preset: run.preset.to_owned(),
+            scene: run.scene.name.clone(),
+            triangles: run.scene.mesh.triangles.len() as u64,
+            structure: run.structure.to_owned(),
+            test: run.test.to_owned(),
+            width: options.width,
+            height: options.height,
+            tms: run.tms,
+            series: run.series,
+            load_words: run.load_words.to_owned(),
+            node_bytes: run.node_bytes as u64,
+            rays: frame.rays,
+            cycles: results.cycles.into(),
+            frame_ms: results.frame_ms,
+            energy_mj: results.energy_mj.total,
+            dram_mj: results.energy_groups_mj.dram,
+            cache_mj: results.energy_groups_mj.cache,
+            compute_mj: results.energy_groups_mj.compute,
+            l1_mj: results.energy_mj.l1,
+            l2_mj: results.energy_mj.l2,
+            icache_mj: results.energy_mj.icache,
+            registers_mj: results.energy_mj.registers,
+            local_store_mj: results.energy_mj.local_store,
+            units_mj: results.energy_mj.units,
+            pipeline_mj: results.energy_mj.pipeline,
+            area_mm2: results.area_mm2.total,
+            instructions: results.instructions.total,
+            loads: results.instructions.loads,
+            pipeline_operations: results.instructions.pipeline,
+            issue_pct: percent("issue"),
+            data_pct: percent("data"),
+            units_pct: percent("units"),
+            memory_pct: percent("memory"),
+            fetch_pct: percent("fetch"),
+            nop_pct: percent("nop"),
+            halted_pct: percent("halted"),
+            l1_hit_pct: results.caches.l1_hit_pct,
+            l2_hit_pct: results.caches.l2_hit_pct,
+            dram_gb_s: results.bandwidth_gb_s.dram,
+            fingerprint: run.fingerprint.to_owned(),
+        }
+    }
+}
+
+/// Identifies everything that a run depends on but its scene and test: scene size, tree quality, machine, pipeline, program.
+pub fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let Preset { detail, width, height, .. } = preset;
+    let everything = format!(
+        "{version} {seed} {detail} {width}x{height} {quality:?}\n{}\n{:?}\n{}",
+        machine.description.to_toml(),
+        machine.pipeline,
+        machine.structure.listing()
+    );
+    // FNV-1a, 64 bits.
+    let hash = everything
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    format!("{hash:016x}")
+}
+
+/// The rows of a series, with those of the main series that belong to it, in the order of what it varies.
+pub fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
+    let belongs = |row: &&Row| {
+        row.series == series
+            || row.series == Series::Main
+                && match series {
+                    Series::Main => true,
+                    Series::Scaling => row.scene == SCALING_SCENE && row.test == SCALING_TEST.name(),
+                    Series::LoadWidth => {
+                        WIDTH_SCENES.contains(&row.scene.as_str()) && row.test == WIDTH_TEST.name()
+                    }
+                }
+    };
+    let mut chosen: Vec<Row> = rows.iter().filter(belongs).cloned().collect();
+    let key = |row: &Row| {
+        (row.scene.clone(), row.test.clone(), row.structure.clone(), row.tms, row.load_words.clone())
+    };
+    chosen.sort_by_key(key);
+    chosen
+}
+
+/// The rows as CSV with a header.
+pub fn csv<'a>(rows: impl Iterator<Item = &'a Row>) -> anyhow::Result<String> {
+    let mut writer = csv::Writer::from_writer(vec![]);
+    for row in rows {
+        writer.serialize(row)?;
+    }
+    Ok(String::from_utf8(writer.into_inner()?)?)
+}

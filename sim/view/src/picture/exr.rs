@@ -1,0 +1,162 @@
+//! OpenEXR files: linear values, with depth, normal, triangle and the counters as layers.
+//!
+//! | channels | type | content |
+//! |---|---|---|
+//! | `R`, `G`, `B` | float | mean radiance |
+//! | `depth.Z` | float | distance from the eye in scene units, infinite where nothing is hit |
+//! | `normal.X`, `normal.Y`, `normal.Z` | float | unit normal, turned towards the eye; zero where nothing is hit |
+//! | `triangle.id` | uint | index of the triangle, 2^32 - 1 where nothing is hit |
+//! | `counters.node_visits`, `.plane_tests`, `.box_tests`, `.triangle_tests`, `.stack_depth` | uint | work of all rays of the pixel |
+
+use super::Picture;
+use exr::prelude::*;
+use render::{Pixel, Rendering};
+use std::io::Cursor;
+
+/// The bytes of an EXR file with all channels of `rendering`.
+///
+/// # Panics
+/// If the number of pixels is not `width * height`.
+#[must_use]
+pub fn encode(rendering: &Rendering) -> Vec<u8> {
+    let float = |name: &str, value: fn(&Pixel) -> f32| {
+        AnyChannel::new(name, FlatSamples::F32(rendering.pixels.iter().map(value).collect()))
+    };
+    let uint = |name: &str, value: fn(&Pixel) -> u32| {
+        AnyChannel::new(name, FlatSamples::U32(rendering.pixels.iter().map(value).collect()))
+    };
+    let channels = [
+        float("R", |p| p.rgb[0]),
+        float("G", |p| p.rgb[1]),
+        float("B", |p| p.rgb[2]),
+        float("depth.Z", |p| p.depth),
+        float("normal.X", |p| p.normal[0]),
+        float("normal.Y", |p| p.normal[1]),
+        float("normal.Z", |p| p.normal[2]),
+        uint("triangle.id", |p| p.triangle),
+        uint("counters.node_visits", |p| p.work.node_visits),
+        uint("counters.plane_tests", |p| p.work.plane_tests),
+        uint("counters.box_tests", |p| p.work.box_tests),
+        uint("counters.triangle_tests", |p| p.work.triangle_tests),
+        uint("counters.stack_depth", |p| p.work.stack_depth),
+    ];
+    let layer = Layer::new(
+        (rendering.width as usize, rendering.height as usize),
+        LayerAttributes::default(),
+        Encoding { compression: Compression::ZIP16, ..Encoding::FAST_LOSSLESS },
+        AnyChannels::sort(channels.into_iter().collect()),
+    );
+    write(layer)
+}
+
+/// The bytes of an EXR file with the colours of `picture`.
+///
+/// # Panics
+/// If the number of pixels is not `width * height`.
+#[must_use]
+pub fn encode_colours(picture: &Picture<f32>) -> Vec<u8> {
+    let channel = |name: &str, at: usize| {
+        AnyChannel::new(name, FlatSamples::F32(picture.pixels.iter().map(|rgb| rgb[at]).collect()))
+    };
+    write(Layer::new(
+        (picture.width as usize, picture.height as usize),
+        LayerAttributes::default(),
+        Encoding { compression: Compression::ZIP16, ..Encoding::FAST_LOSSLESS },
+        AnyChannels::sort([channel("R", 0), channel("G", 1), channel("B", 2)].into_iter().collect()),
+    ))
+}
+
+fn write(layer: Layer<AnyChannels<FlatSamples>>) -> Vec<u8> {
+    let mut bytes = Cursor::new(vec![]);
+    let image = Image::from_layer(layer);
+    image.write().non_parallel().to_buffered(&mut bytes).expect("a complete picture is written to memory");
+    bytes.into_inner()
+}
+
+/// The colours of an EXR file.
+pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Picture<f32>, String> {
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size: Vec2<usize>, _: &_| Picture {
+                width: size.width() as u32,
+                height: size.height() as u32,
+                pixels: vec![[0.0; 3]; size.area()],
+            },
+            |picture: &mut Picture<f32>, at: Vec2<usize>, (r, g, b): (f32, f32, f32)| {
+                picture.set(at.x() as u32, at.y() as u32, [r, g, b]);
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(|e| e.to_string())?;
+    Ok(image.layer_data.channel_data.pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use render::Work;
+
+    fn rendering() -> Rendering {
+        let pixel = |i: u32| Pixel {
+            rgb: [i as f32, 1e-20 * i as f32, 1e20],
+            depth: if i == 2 { f32::INFINITY } else { 0.1 * i as f32 },
+            normal: [0.6, -0.8, 0.0],
+            triangle: if i == 2 { Pixel::NO_TRIANGLE } else { 1000 * i },
+            work: Work {
+                node_visits: i,
+                plane_tests: 2 * i,
+                box_tests: 0,
+                triangle_tests: 7,
+                stack_depth: 3,
+            },
+        };
+        Rendering {
+            width: 3,
+            height: 2,
+            pixels: (0..6).map(pixel).collect(),
+            totals: Default::default(),
+            rays: None,
+        }
+    }
+
+    #[test]
+    fn colours_come_back_bit_for_bit() {
+        let rendering = rendering();
+        let decoded = decode(&encode(&rendering)).unwrap();
+        let rgb: Vec<_> = rendering.pixels.iter().map(|p| p.rgb).collect();
+        assert_eq!(decoded, Picture { width: 3, height: 2, pixels: rgb });
+        assert_eq!(decode(&encode_colours(&decoded)).unwrap(), decoded);
+        assert!(decode(b"not an EXR").is_err());
+    }
+
+    #[test]
+    fn layers_come_back() {
+        let rendering = rendering();
+        let bytes = encode(&rendering);
+        let image = read()
+            .no_deep_data()
+            .largest_resolution_level()
+            .all_channels()
+            .first_valid_layer()
+            .all_attributes()
+            .from_buffered(Cursor::new(&bytes))
+            .unwrap();
+        let channels = image.layer_data.channel_data.list;
+        let values = |name: &str| {
+            let channel = channels.iter().find(|c| c.name.to_string() == name).expect(name);
+            channel.sample_data.clone()
+        };
+        assert_eq!(channels.len(), 13);
+        let triangles = rendering.pixels.iter().map(|p| p.triangle).collect();
+        assert_eq!(values("triangle.id"), FlatSamples::U32(triangles));
+        let depths = rendering.pixels.iter().map(|p| p.depth).collect();
+        assert_eq!(values("depth.Z"), FlatSamples::F32(depths));
+        let planes = rendering.pixels.iter().map(|p| p.work.plane_tests).collect();
+        assert_eq!(values("counters.plane_tests"), FlatSamples::U32(planes));
+    }
+}

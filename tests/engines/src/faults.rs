@@ -1,0 +1,33 @@
+//! Faulty units, compiled for the tests: what differs from a design in one place is simulated as it is.
+//!
+//! Most faults break a shape that the build script recognises (see `sim/build/idioms.rs`) in one of its rows.
+
+use netlist::{Change, Design, Mutation, mutate};
+use pipelines::catalogue::{StandardFormat, Top};
+
+/// Top, module, value, and what is done to it.
+pub fn faults() -> Vec<(Top, &'static str, &'static str, Change)> {
+    use Change::{Constant, Increment, Invert, Replace, StuckBit, SwapOperands};
+    let with = |other: &str| Replace(other.into());
+    vec![
+        (Top::FpAdd, "sticky_shift", "value_6", with("value_5")),
+        (Top::FpAdd, "sticky_shift", "value_3", Invert),
+        (Top::FpAdd, "sticky_shift", "lost_3", with("lost_2")),
+        (Top::FpAdd, "sticky_shift", "sticky", Constant(0)),
+        (Top::FpAdd, "sticky_shift", "amount_i", StuckBit { bit: 2, value: true }),
+        (Top::FpAdd, "fp_add", "budget", with("budget_5")),
+        (Top::FpAdd, "fp_add", "budget_4", Increment),
+        (Top::FpAdd, "fp_add", "normal_5", SwapOperands),
+        (Top::FpMul, "leading_zeros", "count", with("count_5")),
+        (Top::FpMul, "leading_zeros", "count_3", Increment),
+        (Top::FpMul, "leading_zeros", "value_4", with("value_3")),
+        (Top::FpMul, "leading_zeros", "value_i", StuckBit { bit: 23, value: false }),
+    ]
+}
+
+/// The unit with a fault.
+pub fn design((top, module, value, change): (Top, &str, &str, Change)) -> Design {
+    let design = top.design(StandardFormat::Binary32).unwrap_or_else(|error| panic!("{top}: {error}"));
+    let mutation = Mutation { module: module.into(), value: value.into(), change };
+    mutate(&design, &mutation).unwrap_or_else(|error| panic!("{mutation}: {error}"))
+}

@@ -1,0 +1,19 @@
+//! Random designs and faulty units, with their compiled simulations: what the engines are compared on.
+
+pub mod faults;
+pub mod random;
+
+/// Compiled simulations of [`random::design`], by seed.
+#[allow(missing_docs, reason = "the table is generated")]
+pub mod compiled_random {
+    lanes::include_programs!("random");
+
+    /// The text of the functions without vector instructions.
+    pub const TEXT: &str = include_str!(concat!(env!("OUT_DIR"), "/scalar_random.rs"));
+}
+
+/// Compiled simulations of [`faults::faults`], by position.
+#[allow(missing_docs, reason = "the table is generated")]
+pub mod compiled_faults {
+    lanes::include_programs!("faults");
+}
