@@ -1,0 +1,87 @@
+//! Where the workspace is, its Cargo, and folders that are removed again.
+
+use anyhow::{Context, ensure};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Set where the long tests are wanted.
+pub const LONG_TESTS: &str = "DUALSPLIT_LONG";
+/// Set where a missing tool is a failure.
+pub const NO_TOOL_MISSING: &str = "CI";
+
+/// The root of the workspace.
+pub fn root() -> &'static Path {
+    // Of `tests/xtask`.
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the crate is two folders below the root")
+}
+
+/// The target folder that this program was built into.
+pub fn target() -> anyhow::Result<PathBuf> {
+    // Of `target/debug/xtask`.
+    let program = std::env::current_exe().context("where this program is")?;
+    let folder = program.ancestors().nth(2).context("this program is not in a target folder")?;
+    Ok(folder.to_owned())
+}
+
+/// Cargo in the root of the workspace, with the words of `line` as arguments. What it prints goes to stderr.
+pub fn cargo(line: &str) -> Command {
+    let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(program);
+    command.args(line.split_whitespace()).current_dir(root()).stdin(Stdio::null()).stdout(io::stderr());
+    command
+}
+
+/// Whether `command` succeeds.
+pub fn succeeds(mut command: Command) -> anyhow::Result<bool> {
+    let status = command.status().with_context(|| format!("{:?} does not start", command.get_program()))?;
+    Ok(status.success())
+}
+
+/// Runs `cargo` with the words of `line`, as `change` makes it.
+///
+/// An error if it fails.
+pub fn must_succeed(line: &str, change: impl FnOnce(&mut Command)) -> anyhow::Result<()> {
+    let mut command = cargo(line);
+    change(&mut command);
+    ensure!(succeeds(command)?, "cargo {line}: failed");
+    Ok(())
+}
+
+/// A folder below the target folder that is removed when this is dropped.
+pub struct Scratch {
+    path: PathBuf,
+    keep: bool,
+}
+
+impl Scratch {
+    /// An empty folder `name`, a relative path with `/`; the process id is appended.
+    pub fn new(name: &str) -> anyhow::Result<Self> {
+        let path = target()?.join(format!("{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).with_context(|| format!("{}: cannot make the folder", path.display()))?;
+        Ok(Self { path, keep: false })
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Leaves the folder where it is.
+    pub fn keep(&mut self) {
+        self.keep = true;
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        if !self.keep
+            && let Err(error) = fs::remove_dir_all(&self.path)
+        {
+            eprintln!("{}: cannot remove the folder ({error})", self.path.display());
+        }
+        // Goes only if nothing is in it.
+        let _ = self.path.parent().map(fs::remove_dir);
+    }
+}
