@@ -146,48 +146,101 @@ impl StandardFormat {
     }
 }
 
-/// The module of a top in one format.
+/// Why there is no module or design.
+#[derive(Debug, thiserror::Error)]
+pub enum CatalogueError {
+    /// The module exists in other formats only.
+    #[error("{top} does not exist in {format}; it exists in {}", names(.top.formats()))]
+    NoSuchFormat {
+        /// The module.
+        top: Top,
+        /// The format asked for.
+        format: StandardFormat,
+    },
+    /// The module does not elaborate; a test elaborates each.
+    #[error(transparent)]
+    Elaborate(#[from] ElaborateError),
+}
+
+fn names(formats: &[StandardFormat]) -> String {
+    formats.iter().map(|format| format.name()).collect::<Vec<_>>().join(", ")
+}
+
+/// One of the modules that exist in every format.
 macro_rules! in_format {
     ($top:expr, $format:ident) => {
         match $top {
-            Top::IntAdd => boxed::<units::IntAdd<OFFSET_BITS, 1>>(),
-            Top::FpAdd => boxed::<formats::$format::FpAdd>(),
-            Top::FpMul => boxed::<formats::$format::FpMul>(),
-            Top::FpMinMax => boxed::<formats::$format::FpMinMax>(),
-            Top::FpCmp => boxed::<formats::$format::FpCmp>(),
-            Top::DualSplit => boxed::<formats::$format::DualSplitPipeline>(),
-            Top::DualSplitLean => boxed::<formats::$format::DualSplitPipelineLean>(),
-            Top::RayBox => boxed::<formats::$format::RayBoxPipeline>(),
-            Top::RayBoxLean => boxed::<formats::$format::RayBoxPipelineLean>(),
-            Top::RayBoxX2 => boxed::<formats::$format::RayBoxX2>(),
-            Top::RayBoxX4 => boxed::<formats::$format::RayBoxX4>(),
-            Top::RayBoxX8 => boxed::<formats::$format::RayBoxX8>(),
-            Top::SharedUnits => boxed::<formats::$format::SharedUnits>(),
+            Top::IntAdd => Some(boxed::<units::IntAdd<OFFSET_BITS, 1>>()),
+            Top::FpAdd => Some(boxed::<formats::$format::FpAdd>()),
+            Top::FpMul => Some(boxed::<formats::$format::FpMul>()),
+            Top::FpMinMax => Some(boxed::<formats::$format::FpMinMax>()),
+            Top::FpCmp => Some(boxed::<formats::$format::FpCmp>()),
+            Top::DualSplit => Some(boxed::<formats::$format::DualSplitPipeline>()),
+            Top::RayBox => Some(boxed::<formats::$format::RayBoxPipeline>()),
+            _ => None,
         }
     };
 }
+
+/// One of the modules that exist in binary32 alone.
+fn in_binary32(top: Top) -> Option<Box<dyn Block>> {
+    match top {
+        Top::DualSplitLean => Some(boxed::<formats::DualSplitPipelineLean>()),
+        Top::RayBoxLean => Some(boxed::<formats::RayBoxPipelineLean>()),
+        Top::RayBoxX2 => Some(boxed::<formats::RayBoxX2>()),
+        Top::RayBoxX4 => Some(boxed::<formats::RayBoxX4>()),
+        Top::RayBoxX8 => Some(boxed::<formats::RayBoxX8>()),
+        Top::SharedUnits => Some(boxed::<formats::SharedUnits>()),
+        _ => None,
+    }
+}
+
 impl Top {
-    /// The module in a format, connected.
+    /// The formats that the module exists in: all of them for the units and both pipelines, binary32 for their lean and parallel
+    /// forms and the shared block.
     #[must_use]
-    pub fn module(self, format: StandardFormat) -> Box<dyn Block> {
-        let mut module = match format {
-            StandardFormat::Binary32 => in_format!(self, binary32),
+    pub fn formats(self) -> &'static [StandardFormat] {
+        match self {
+            Self::IntAdd
+            | Self::FpAdd
+            | Self::FpMul
+            | Self::FpMinMax
+            | Self::FpCmp
+            | Self::DualSplit
+            | Self::RayBox => StandardFormat::ALL,
+            Self::DualSplitLean
+            | Self::RayBoxLean
+            | Self::RayBoxX2
+            | Self::RayBoxX4
+            | Self::RayBoxX8
+            | Self::SharedUnits => &[StandardFormat::Binary32],
+        }
+    }
+
+    /// The module in a format, connected.
+    ///
+    /// # Errors
+    /// [`CatalogueError::NoSuchFormat`] if it does not exist in that format.
+    pub fn module(self, format: StandardFormat) -> Result<Box<dyn Block>, CatalogueError> {
+        let module = match format {
+            StandardFormat::Binary32 => in_format!(self, binary32).or_else(|| in_binary32(self)),
             StandardFormat::Tf32 => in_format!(self, tf32),
             StandardFormat::Bfloat16 => in_format!(self, bfloat16),
             StandardFormat::Binary16 => in_format!(self, binary16),
             StandardFormat::E5m2 => in_format!(self, e5m2),
             StandardFormat::E4m3 => in_format!(self, e4m3),
         };
+        let mut module = module.ok_or(CatalogueError::NoSuchFormat { top: self, format })?;
         module.connect_all();
-        module
+        Ok(module)
     }
 
     /// The elaborated design, called by the top's name, with the format's name behind it unless it is binary32.
     ///
     /// # Errors
-    /// None for the modules of this crate; a test elaborates each.
-    pub fn design(self, format: StandardFormat) -> Result<Design, ElaborateError> {
-        elaborate(self.module(format).as_ref(), &self.design_name(format))
+    /// As [`Top::module`].
+    pub fn design(self, format: StandardFormat) -> Result<Design, CatalogueError> {
+        Ok(elaborate(self.module(format)?.as_ref(), &self.design_name(format))?)
     }
 
     /// Name of the design and of its files.
@@ -216,6 +269,13 @@ mod tests {
         for &format in StandardFormat::ALL {
             assert_eq!(format.name().parse(), Ok(format));
         }
+        for (&top, &format) in
+            Top::ALL.iter().flat_map(|top| StandardFormat::ALL.iter().map(move |f| (top, f)))
+        {
+            assert_eq!(top.module(format).is_ok(), top.formats().contains(&format), "{top} {format}");
+        }
+        let error = Top::SharedUnits.module(StandardFormat::E5m2).err().unwrap().to_string();
+        assert_eq!(error, "shared_units does not exist in e5m2; it exists in binary32");
         let error = "fp_div".parse::<Top>().unwrap_err().to_string();
         assert!(error.starts_with("no unit is called `fp_div`; there are int_add, fp_add"), "{error}");
     }

@@ -61,20 +61,8 @@ macro_rules! formats {
             pub type FpCmp = units::FpCmp<$e, $s, { $e + $s }, 1>;
             /// Dual-split pipeline with the published inventory.
             pub type DualSplitPipeline = dual_split!($e, $s, 2, 1);
-            /// Dual-split pipeline without redundant comparators.
-            pub type DualSplitPipelineLean = dual_split!($e, $s, 0, 1);
             /// Ray-box pipeline with the published inventory.
             pub type RayBoxPipeline = ray_box!($e, $s, 2, 1);
-            /// Ray-box pipeline without redundant comparators.
-            pub type RayBoxPipelineLean = ray_box!($e, $s, 1, 1);
-            /// Two ray-box pipelines.
-            pub type RayBoxX2 = ray_box_parallel!($e, $s, 2, 2, 1);
-            /// Four ray-box pipelines.
-            pub type RayBoxX4 = ray_box_parallel!($e, $s, 4, 2, 1);
-            /// Eight ray-box pipelines.
-            pub type RayBoxX8 = ray_box_parallel!($e, $s, 8, 2, 1);
-            /// The multiprocessor's shared units with both pipelines' routing.
-            pub type SharedUnits = shared_units!($e, $s, 1);
         }
     )* };
 }
@@ -93,3 +81,16 @@ formats! {
     /// Eight bits with four of exponent.
     e4m3: 4, 4;
 }
+
+/// Dual-split pipeline in binary32 without redundant comparators.
+pub type DualSplitPipelineLean = dual_split!(8, 24, 0, 1);
+/// Ray-box pipeline in binary32 without redundant comparators.
+pub type RayBoxPipelineLean = ray_box!(8, 24, 1, 1);
+/// Two ray-box pipelines in binary32.
+pub type RayBoxX2 = ray_box_parallel!(8, 24, 2, 2, 1);
+/// Four ray-box pipelines in binary32.
+pub type RayBoxX4 = ray_box_parallel!(8, 24, 4, 2, 1);
+/// Eight ray-box pipelines in binary32.
+pub type RayBoxX8 = ray_box_parallel!(8, 24, 8, 2, 1);
+/// The multiprocessor's shared units in binary32, with both pipelines' routing.
+pub type SharedUnits = shared_units!(8, 24, 1);

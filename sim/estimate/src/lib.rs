@@ -26,12 +26,15 @@ use costs::{Pipeline, PipelineCost, Unit};
 use gates::liberty::{Library, embedded};
 use gates::map::MapError;
 use netlist::{ElaborateError, inventory};
-use pipelines::catalogue::{StandardFormat, Top};
+use pipelines::catalogue::{CatalogueError, StandardFormat, Top};
 
 /// Why there is no estimate.
 #[derive(Debug, thiserror::Error)]
 pub enum EstimateError {
-    /// The design does not elaborate.
+    /// There is no such design.
+    #[error(transparent)]
+    Catalogue(#[from] CatalogueError),
+    /// The design has a combinational loop.
     #[error(transparent)]
     Elaborate(#[from] ElaborateError),
     /// The library lacks a cell.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fp::Format;
 use golden::dst::header;
 use netlist::{Design, ElaborateError, flatten};
-use pipelines::catalogue::{StandardFormat, Top};
+use pipelines::catalogue::{CatalogueError, StandardFormat, Top};
 use rayon::prelude::*;
 
 use super::reference::pipelines::{Claim, Control};
@@ -18,7 +18,10 @@ use gates::words::{Adder, Multiplier, Structures};
 /// Why a theorem cannot be stated.
 #[derive(Debug, thiserror::Error)]
 pub enum TheoremError {
-    /// The design does not elaborate.
+    /// There is no such design.
+    #[error(transparent)]
+    Catalogue(#[from] CatalogueError),
+    /// The design has a combinational loop.
     #[error(transparent)]
     Elaborate(#[from] ElaborateError),
     /// The design is no pipeline.

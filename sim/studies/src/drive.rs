@@ -18,7 +18,7 @@ use golden::traverse::{Tests, Trace, Traversal};
 use golden::triangle::Triangle;
 use golden::{Aabb, TraversalRay};
 use netlist::{ElaborateError, Evaluator, Flat, NodeId, flatten, register_depths};
-use pipelines::catalogue::{StandardFormat, Top};
+use pipelines::catalogue::{CatalogueError, StandardFormat, Top};
 use pipelines::equivalence::Ports;
 use pipelines::equivalence::cases::{BoxCase, visited_nodes};
 use std::sync::Arc;
@@ -37,6 +37,9 @@ pub enum DriveError {
     #[error(transparent)]
     Dst(#[from] DstError),
     /// A unit does not elaborate.
+    #[error(transparent)]
+    Catalogue(#[from] CatalogueError),
+    /// A unit has a combinational loop.
     #[error(transparent)]
     Elaborate(#[from] ElaborateError),
 }

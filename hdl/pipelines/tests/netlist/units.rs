@@ -24,7 +24,7 @@ const PROVED: [Top; 9] = [
 #[test]
 fn every_kernel_of_every_top_passes_the_guard() {
     for &top in Top::ALL {
-        let report = guard(top.module(StandardFormat::Binary32).as_ref());
+        let report = guard(top.module(StandardFormat::Binary32).unwrap().as_ref());
         let report = report.unwrap_or_else(|error| panic!("{top}: {error}"));
         assert!(report.kernels > 0 && report.values_identical + report.values_simulated > 0);
         println!("{top}: {report:?}");
@@ -37,7 +37,8 @@ fn every_format_elaborates_and_passes_the_guard() {
         for top in [Top::FpAdd, Top::FpMul, Top::FpMinMax, Top::FpCmp, Top::DualSplit, Top::RayBox] {
             let design = top.design(format).unwrap_or_else(|error| panic!("{top} {format}: {error}"));
             assert!(design.top().clock.is_some());
-            guard(top.module(format).as_ref()).unwrap_or_else(|error| panic!("{top} {format}: {error}"));
+            guard(top.module(format).unwrap().as_ref())
+                .unwrap_or_else(|error| panic!("{top} {format}: {error}"));
         }
     }
 }
@@ -84,7 +85,11 @@ fn every_top_synthesises() {
 fn units_and_pipelines_equal_rust_hdls_export() {
     in_parallel(PROVED, |top| {
         let format = StandardFormat::Binary32;
-        prove_equivalent(top.module(format).as_ref(), &top.design(format).unwrap(), MULTIPLIER_KINDS);
+        prove_equivalent(
+            top.module(format).unwrap().as_ref(),
+            &top.design(format).unwrap(),
+            MULTIPLIER_KINDS,
+        );
         println!("{top}: proved");
     });
 }

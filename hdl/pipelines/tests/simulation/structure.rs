@@ -1,6 +1,8 @@
 //! rust-hdl's own checks of every module: all inputs connected, no combinational loop, no input written.
 
-use pipelines::formats::{binary16, binary32, e4m3};
+use pipelines::formats::{
+    DualSplitPipelineLean, RayBoxPipelineLean, RayBoxX2, SharedUnits, binary16, binary32, e4m3,
+};
 use rust_hdl_core::prelude::*;
 use units::{IntAdd, SignificandProduct};
 
@@ -26,9 +28,9 @@ fn units_pass_the_structural_checks() {
 #[test]
 fn pipelines_pass_the_structural_checks() {
     check(binary32::DualSplitPipeline::default());
-    check(binary32::DualSplitPipelineLean::default());
+    check(DualSplitPipelineLean::default());
     check(binary32::RayBoxPipeline::default());
-    check(binary32::RayBoxPipelineLean::default());
-    check(binary32::RayBoxX2::default());
-    check(binary32::SharedUnits::default());
+    check(RayBoxPipelineLean::default());
+    check(RayBoxX2::default());
+    check(SharedUnits::default());
 }

@@ -22,7 +22,10 @@ pub fn run(args: &ExportArgs, global: &Global) -> anyhow::Result<Report> {
         "--period-ns {}: a clock period is a positive number of nanoseconds",
         args.period_ns
     );
-    let tops = args.unit.map_or_else(|| Top::ALL.to_vec(), |top| vec![top]);
+    let tops = match args.unit {
+        Some(top) => vec![top],
+        None => Top::ALL.iter().copied().filter(|top| top.formats().contains(&args.format)).collect(),
+    };
     let mut artifacts = Artifacts::create(&args.out, global.force)?;
     let bar = progress(tops.len() as u64, "writing Verilog");
     for top in tops {

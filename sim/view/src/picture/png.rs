@@ -1,9 +1,9 @@
 //! PNG files: 8 bits, sRGB.
 
 use super::Picture;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder, ImageFormat};
-use render::Rendering;
+use png::{BitDepth, ColorType, Compression, Decoder, Encoder, Filter, Transformations};
+use render::{MAX_PIXELS, Rendering};
+use std::io::Cursor;
 
 /// The picture as a display shows it, brightened by `exposure_stops` factors of two; values beyond white are cut off.
 #[must_use]
@@ -31,18 +31,43 @@ pub fn encode_srgb(x: f32) -> u8 {
 #[must_use]
 pub fn encode(picture: &Picture<u8>) -> Vec<u8> {
     let mut bytes = vec![];
-    PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive)
-        .write_image(picture.pixels.as_flattened(), picture.width, picture.height, ExtendedColorType::Rgb8)
-        .expect("a complete picture is written to memory");
+    let mut encoder = Encoder::new(&mut bytes, picture.width, picture.height);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_compression(Compression::Balanced);
+    encoder.set_filter(Filter::Adaptive);
+    let mut writer = encoder.write_header().expect("a header is written to memory");
+    writer.write_image_data(picture.pixels.as_flattened()).expect("a complete picture is written to memory");
+    writer.finish().expect("the end is written to memory");
     bytes
 }
 
 /// The colours of a PNG file as fractions of white, whatever its depth; transparency is ignored.
 pub(super) fn decode(bytes: &[u8]) -> Result<Picture<f32>, String> {
-    let image =
-        image::load_from_memory_with_format(bytes, ImageFormat::Png).map_err(|e| e.to_string())?.to_rgb32f();
-    let pixels = image.as_raw().as_chunks::<3>().0.to_vec();
-    Ok(Picture { width: image.width(), height: image.height(), pixels })
+    let mut decoder = Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
+    let (width, height) = reader.info().size();
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels > MAX_PIXELS.into() {
+        return Err(format!(
+            "{width} x {height} pixels; pictures of at most {MAX_PIXELS} pixels are compared"
+        ));
+    }
+    let (color, depth) = reader.output_color_type();
+    let size = reader.output_buffer_size().ok_or("the picture does not fit into memory")?;
+    let mut samples = vec![0; size];
+    reader.next_frame(&mut samples).map_err(|error| error.to_string())?;
+    let fractions: Vec<f32> = match depth {
+        BitDepth::Sixteen => {
+            samples.as_chunks().0.iter().map(|word| f32::from(u16::from_be_bytes(*word)) / 65535.0).collect()
+        }
+        _ => samples.iter().map(|sample| f32::from(*sample) / 255.0).collect(),
+    };
+    let pixels = fractions.chunks_exact(color.samples()).map(|pixel| match color {
+        ColorType::Grayscale | ColorType::GrayscaleAlpha => [pixel[0]; 3],
+        _ => [pixel[0], pixel[1], pixel[2]],
+    });
+    Ok(Picture { width, height, pixels: pixels.collect() })
 }
 
 #[cfg(test)]
@@ -70,5 +95,35 @@ mod tests {
         let codes: Vec<_> = decoded.pixels.iter().map(|p| p.map(|x| (x * 255.0 + 0.5) as u8)).collect();
         assert_eq!(codes, picture.pixels);
         assert!(decode(b"not a PNG").is_err());
+    }
+
+    /// Of grey and colour, with and without alpha, of 8 and 16 bits.
+    #[test]
+    fn every_kind_of_pixel_is_read() {
+        for color in [ColorType::Grayscale, ColorType::GrayscaleAlpha, ColorType::Rgb, ColorType::Rgba] {
+            for (depth, bytes) in [(BitDepth::Eight, 1), (BitDepth::Sixteen, 2)] {
+                let samples: Vec<u8> =
+                    (0..2 * color.samples()).flat_map(|i| vec![20 * i as u8 + 1; bytes]).collect();
+                let mut file = vec![];
+                let mut encoder = Encoder::new(&mut file, 2, 1);
+                encoder.set_color(color);
+                encoder.set_depth(depth);
+                encoder.write_header().unwrap().write_image_data(&samples).unwrap();
+                let at = |i: usize| (20 * i + 1) as f32 / 255.0;
+                let expected = |i: usize| match color {
+                    ColorType::Grayscale | ColorType::GrayscaleAlpha => [at(i); 3],
+                    _ => [at(i), at(i + 1), at(i + 2)],
+                };
+                let picture = decode(&file).unwrap();
+                assert_eq!(picture.pixels, [expected(0), expected(color.samples())], "{color:?} {depth:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_picture_that_would_fill_memory_is_refused() {
+        let mut file = vec![];
+        Encoder::new(&mut file, 20_000, 20_000).write_header().unwrap();
+        assert!(decode(&file).unwrap_err().starts_with("20000 x 20000 pixels"));
     }
 }
