@@ -43,6 +43,7 @@ mod specialise;
 mod statements;
 pub mod verilog;
 mod verilog_semantics;
+pub mod wave;
 
 pub use design::{Design, Instance, LocalName, Module, ModuleId, Parameter, Port, Register, SignalType};
 pub use engine::Engine;

@@ -1,15 +1,15 @@
 //! Sends one ray through the dual-split pipeline, node by node, and prints what every stage holds:
 //! `cargo run -p hdl --example trace_ray`.
 
+use equivalence::Ports;
+use equivalence::cases::visited_nodes;
 use golden::build::{BuildOptions, build};
 use golden::dst::Dst;
 use golden::structure::pack_triangles;
 use golden::{Mode, Ray, TraversalRay};
 use netlist::{Evaluator, Flat, flatten};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::Ports;
-use pipelines::equivalence::cases::visited_nodes;
-use pipelines::wave::{node_type, return_value};
+use pipelines::words::{node_type, return_value};
 
 /// Instance and signal at the end of each stage, and what it holds.
 const STAGES: [(u32, &str, &str, &str); 8] = [

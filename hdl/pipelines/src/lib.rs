@@ -13,7 +13,6 @@ pub mod catalogue;
 mod dual_split;
 mod dual_split_fold;
 mod dual_split_select;
-pub mod equivalence;
 pub mod formats;
 mod node_header;
 mod ray_box;
@@ -22,7 +21,7 @@ mod ray_box_parallel;
 mod ray_box_select;
 mod ray_select;
 mod shared_units;
-pub mod wave;
+pub mod words;
 
 pub use dual_split::DualSplitPipeline;
 pub use ray_box::RayBoxPipeline;

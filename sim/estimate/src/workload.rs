@@ -2,6 +2,8 @@
 
 use std::cell::RefCell;
 
+use equivalence::Ports;
+use equivalence::cases::{BoxCase, NodeCase, visited_nodes};
 use golden::build::{BuildOptions, Quality, build};
 use golden::bvh::Bvh2;
 use golden::dst::Dst;
@@ -10,8 +12,6 @@ use golden::structure::pack_triangles;
 use golden::traverse::{Tests, Trace, Traversal};
 use golden::{Mode, TraversalRay};
 use pipelines::catalogue::Top;
-use pipelines::equivalence::Ports;
-use pipelines::equivalence::cases::{BoxCase, NodeCase, visited_nodes};
 use render::{RenderOptions, Test, render};
 use scenes::Scene;
 use serde::Serialize;

@@ -61,10 +61,10 @@ impl Engine for GateEngine<'_> {
 mod tests {
     use super::*;
     use crate::agreement::first_difference;
+    use equivalence::Stimulus;
     use gates::blast::{Options, blast};
     use netlist::{Change, Mutation, flatten, mutate};
     use pipelines::catalogue::{StandardFormat, Top};
-    use pipelines::equivalence::Stimulus;
 
     #[test]
     fn gates_agree_with_the_evaluator_and_a_faulty_unit_does_not() {

@@ -68,7 +68,12 @@ impl<E: Engine> Recorder<E> {
                 }));
             }
         }
-        Ok(pipelines::wave::write(netlist, self.cycles.iter().map(|cycle| cycle.inputs.clone()), out)?)
+        Ok(netlist::wave::write(
+            netlist,
+            self.cycles.iter().map(|cycle| cycle.inputs.clone()),
+            pipelines::words::decoder,
+            out,
+        )?)
     }
 }
 
@@ -107,10 +112,10 @@ impl<E: Engine> Engine for Recorder<E> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use equivalence::Stimulus;
     use lanes::Compiled;
     use netlist::{Change, Mutation, flatten, mutate};
     use pipelines::catalogue::{StandardFormat, Top};
-    use pipelines::equivalence::Stimulus;
 
     /// The waveform of a lane is that of its inputs, and an engine of another netlist is found out.
     #[test]
@@ -135,7 +140,7 @@ mod tests {
         let (mut found, mut expected) = (Vec::new(), Vec::new());
         recorder.write_wave(&netlist, &mut found).unwrap();
         let cycles = Stimulus::new(top, format, &netlist, LANE as u64).take(30);
-        pipelines::wave::write(&netlist, cycles, &mut expected).unwrap();
+        netlist::wave::write(&netlist, cycles, pipelines::words::decoder, &mut expected).unwrap();
         assert_eq!(found, expected);
 
         let mutation = Mutation { module: "rounder".into(), value: "word_2".into(), change: Change::Invert };

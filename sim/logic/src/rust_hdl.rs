@@ -143,10 +143,10 @@ impl<M: Ports> Engine for RustHdl<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use equivalence::Stimulus;
     use lanes::Compiled;
     use netlist::flatten;
     use pipelines::catalogue::{StandardFormat, Top};
-    use pipelines::equivalence::Stimulus;
 
     /// Every output of every cycle of one lane.
     fn assert_same<M: Ports>(top: Top, cycles: usize) {

@@ -196,11 +196,11 @@ fn run(command: &mut Command) -> Result<Output, VerilatedError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use equivalence::Stimulus;
     use lanes::{Compiled, LANES};
     use netlist::Engine;
     use netlist::{Change, Mutation, flatten, mutate};
     use pipelines::catalogue::{StandardFormat, Top};
-    use pipelines::equivalence::Stimulus;
 
     /// All outputs of a compiled top in every cycle, lane after lane.
     fn compiled(top: Top, cycles: &[Vec<Vec<u64>>]) -> Vec<Vec<Vec<u64>>> {

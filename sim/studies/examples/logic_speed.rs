@@ -6,6 +6,7 @@
 //! two threads, each simulates a copy of its own, and the throughput is that of both by the processor time of either.
 
 use cpu_time::ThreadTime;
+use equivalence::Stimulus;
 use lanes::{Compiled, InstructionSet, LANES, Program, Slot};
 use logic::interpreter::Interpreter;
 use logic::rust_hdl::{Ports, RustHdl};
@@ -13,7 +14,6 @@ use logic::verilated::Verilated;
 use netlist::Engine;
 use netlist::{Flat, flatten};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::Stimulus;
 use pipelines::formats::binary32;
 
 /// Vectors in memory, run over and over.

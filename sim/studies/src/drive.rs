@@ -10,6 +10,8 @@
 //!
 //! Boxes are tested with the whole interval of the ray, as hits found earlier are not known to the unit.
 
+use equivalence::Ports;
+use equivalence::cases::{BoxCase, visited_nodes};
 use golden::build::BinaryTree;
 use golden::bvh::{Bvh, BvhNode, SIBLINGS};
 use golden::dst::{Dst, DstError};
@@ -19,8 +21,6 @@ use golden::triangle::Triangle;
 use golden::{Aabb, TraversalRay};
 use netlist::{ElaborateError, Evaluator, Flat, NodeId, flatten, register_depths};
 use pipelines::catalogue::{CatalogueError, StandardFormat, Top};
-use pipelines::equivalence::Ports;
-use pipelines::equivalence::cases::{BoxCase, visited_nodes};
 use std::sync::Arc;
 
 /// Cycles after the last operation, until its result is out of the deepest unit.
@@ -283,10 +283,10 @@ impl Traversals<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use equivalence::{Model, compare};
     use golden::build::{BuildOptions, build};
     use golden::structure::pack_triangles;
     use golden::{Mode, Ray};
-    use pipelines::equivalence::{Model, compare};
 
     /// Each unit gets operations of its own, and with them does what golden says.
     #[test]

@@ -3,8 +3,8 @@
 //! A failure names the seed; `dualsplit check --unit U --seed S` finds it again.
 
 use cross::{netlist, netlist_in};
+use equivalence::{Outcome, check};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::{Outcome, check};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 

@@ -3,9 +3,9 @@
 //! The check is the one of `equivalence.rs`: the mutant's outputs against golden's claims. Mutants that no check of
 //! outputs can notice are listed apart, each with the reason, and a test keeps that list honest.
 
+use equivalence::check;
 use netlist::{BinaryOp, Change, Mutation, flatten, mutate};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::check;
 use std::fmt::Write;
 
 /// Lengths of the streams that a mutant goes through until one notices it, in cycles.

@@ -1,11 +1,11 @@
 //! Streams of arbitrary inputs that shrink: a failure comes down to the one cycle and the bits that matter.
 
 use cross::netlist;
+use equivalence::{Model, compare};
 use fp::Format;
 use fp::operands::patterns;
 use netlist::{Change, Flat, Mutation, flatten, mask, mutate};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::{Model, compare};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
 

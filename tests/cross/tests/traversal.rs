@@ -1,13 +1,13 @@
 //! Traversals whose every node step is executed by the netlist of the dual-split pipeline.
 
 use cross::{netlist, scene};
+use equivalence::cases::{NodeCase, RayWords, visited_nodes};
+use equivalence::{Model, Ports, Stimulus, compare};
 use golden::dst::{Child, Code, Dst, Step};
 use golden::traverse::{NoObserver, Trace, closest_by_steps};
 use golden::{Mode, TraversalRay};
 use netlist::{Evaluator, Flat};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::cases::{NodeCase, RayWords, visited_nodes};
-use pipelines::equivalence::{Model, Ports, Stimulus, compare};
 use render::CameraRays;
 use scenes::{Scene, procedural};
 
@@ -82,7 +82,7 @@ fn an_image_traced_by_the_netlist_is_goldens() {
 }
 
 /// The nodes that golden visits, through the netlist in one stream with stalls and bubbles.
-fn stream(netlist: &Flat, dst: &Dst, rays: &[TraversalRay]) -> (usize, pipelines::equivalence::Outcome) {
+fn stream(netlist: &Flat, dst: &Dst, rays: &[TraversalRay]) -> (usize, equivalence::Outcome) {
     let nodes = visited_nodes(dst, rays);
     let count = nodes.len();
     let format = StandardFormat::Binary32;

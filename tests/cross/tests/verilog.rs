@@ -5,11 +5,11 @@
 //!
 //! A tool that is missing skips its test, or fails it where `CI` is set.
 
+use equivalence::{Model, Stimulus, compare};
 use netlist::verilog::testbench::{hex_line, testbench};
 use netlist::verilog::{Namespace, port_names, text};
 use netlist::{Change, Design, Flat, Mutation, flatten, mutate};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::{Model, Stimulus, compare};
 use std::fmt::Write as _;
 use std::io::{BufWriter, Write as _};
 use std::path::Path;

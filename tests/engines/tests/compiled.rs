@@ -1,12 +1,12 @@
 //! The compiled simulation against the evaluator: random designs, the catalogue, faulty units.
 
 use engines::{compiled_faults, compiled_random, faults, random};
+use equivalence::Stimulus;
 use lanes::{Compiled, InstructionSet, Program, ProgramPort};
 use logic::agreement::{any_inputs, first_difference};
 use netlist::Engine;
 use netlist::{Flat, Port, flatten};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::Stimulus;
 
 fn sets() -> impl Iterator<Item = InstructionSet> {
     InstructionSet::ALL.into_iter().filter(|set| set.is_available())

@@ -1,11 +1,11 @@
 //! The interpreter against the evaluator: random designs and the catalogue.
 
 use engines::random;
+use equivalence::Stimulus;
 use logic::agreement::{any_inputs, first_difference};
 use logic::interpreter::{Interpreter, LANES};
 use netlist::flatten;
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::Stimulus;
 use proptest::prelude::*;
 
 proptest! {

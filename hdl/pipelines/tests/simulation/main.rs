@@ -12,5 +12,5 @@ mod two_cycle_units;
 mod support {
     pub mod harness;
     pub mod oracles;
-    pub use pipelines::equivalence::cases as steps;
+    pub use equivalence::cases as steps;
 }

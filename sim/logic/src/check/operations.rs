@@ -1,6 +1,8 @@
 //! What each top is given, and what it has to make of it.
 
 use super::oracle::Oracle;
+use equivalence::Ports;
+use equivalence::cases::{Cases, RayWords};
 use fp::operands::Operands;
 use fp::{Format, NanMode, Rounding};
 use golden::bvh::box_step;
@@ -9,8 +11,6 @@ use golden::{Aabb, Mode, Ray, TraversalRay};
 use netlist::Engine;
 use netlist::Flat;
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::Ports;
-use pipelines::equivalence::cases::{Cases, RayWords};
 
 /// Outputs that an operation may make claims about: those of eight ray-box pipelines.
 const MAX_CLAIMS: usize = 16;

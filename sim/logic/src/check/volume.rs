@@ -3,11 +3,11 @@
 use super::Totals;
 use super::operations::{Claims, Operation};
 use base::split_mix::hash;
+use equivalence::{Model, Ports, Stimulus};
 use lanes::Compiled;
 use netlist::Engine;
 use netlist::{Flat, mask};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::{Model, Ports, Stimulus};
 use rayon::prelude::*;
 
 /// Operations compared in a block.

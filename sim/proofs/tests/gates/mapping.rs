@@ -112,7 +112,7 @@ fn glitches_only_add_changes() {
     buffer(&mut mapped, aig, &library);
     let timing = analyse(&mapped, &library);
     let flat = flatten(&Top::FpAdd.design(StandardFormat::Binary32).unwrap()).unwrap();
-    let stimulus = pipelines::equivalence::Stimulus::new(Top::FpAdd, StandardFormat::Binary32, &flat, 3);
+    let stimulus = equivalence::Stimulus::new(Top::FpAdd, StandardFormat::Binary32, &flat, 3);
     let mut stream: Vec<Vec<u128>> = stimulus.take(60).collect();
     let enable = flat.input("en_i").unwrap();
     stream.iter_mut().for_each(|cycle| cycle[enable] = 1);

@@ -1,12 +1,12 @@
 //! Gates against hdl's evaluator, cycle by cycle, with bubbles and stalls, every output and register bit.
 
+use equivalence::Stimulus;
 use gates::aiger::{self, Form};
 use gates::blast::{Arrays, Options, blast};
 use gates::simulate::Simulator;
 use gates::words::{Adder, Multiplier, Selection, Structures};
 use netlist::{Evaluator, flatten};
 use pipelines::catalogue::{StandardFormat, Top};
-use pipelines::equivalence::Stimulus;
 
 const LANES: usize = 64;
 

@@ -1,12 +1,12 @@
 //! The dual-split pipeline's netlist in a narrow format as a step function: a node goes in, and its result comes out eight
 //! cycles later. [`logic::steps`] does the same in binary32, faster.
 
+use equivalence::Ports;
+use equivalence::cases::{NodeCase, RayWords};
 use fp::{Arithmetic, Rounding};
 use golden::dst::{Child, Code, Step};
 use golden::precision::NarrowRay;
 use netlist::{Evaluator, Flat};
-use pipelines::equivalence::Ports;
-use pipelines::equivalence::cases::{NodeCase, RayWords};
 
 const LATENCY_CYCLES: usize = 8;
 

@@ -4,10 +4,10 @@ use crate::artifacts::Artifacts;
 use crate::cli::{ExportArgs, Global};
 use crate::console::{Report, progress};
 use anyhow::ensure;
+use equivalence::Stimulus;
 use netlist::verilog::{PackageOptions, package};
 use netlist::{flatten, mask};
 use pipelines::catalogue::Top;
-use pipelines::equivalence::Stimulus;
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -45,7 +45,9 @@ pub fn run(args: &WaveArgs, global: &Global) -> anyhow::Result<Report> {
         cycles: cycles.len(),
         path: args.out.clone(),
     };
-    write_file(&args.out, global.force, |out| pipelines::wave::write(&netlist, cycles, out))?;
+    write_file(&args.out, global.force, |out| {
+        netlist::wave::write(&netlist, cycles, pipelines::words::decoder, out)
+    })?;
     let text = format!(
         "{}: {} operations of {} rays in {} cycles",
         document.path.display(),

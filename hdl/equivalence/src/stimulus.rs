@@ -2,10 +2,10 @@
 
 use super::cases::{Cases, NodeCase};
 use super::ports::{BoxPorts, NodePorts, Ports};
-use crate::catalogue::{StandardFormat, Top};
 use fp::Format;
 use fp::operands::Operands;
 use netlist::{Flat, mask};
+use pipelines::catalogue::{StandardFormat, Top};
 
 /// Cycles between changes of the shared block's routing.
 const MODE_CYCLES: u64 = 64;

@@ -23,8 +23,8 @@ pub use model::Model;
 pub use ports::Ports;
 pub use stimulus::Stimulus;
 
-use crate::catalogue::{StandardFormat, Top};
 use netlist::{Evaluator, Flat};
+use pipelines::catalogue::{StandardFormat, Top};
 
 /// The result of a comparison.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use super::cases::{BoxCase, NodeCase};
 use super::classes;
 use super::ports::{BoxPorts, NodePorts, Ports};
-use crate::catalogue::{StandardFormat, Top};
 use fp::{Arithmetic, NanMode, Rounding};
 use netlist::Flat;
+use pipelines::catalogue::{StandardFormat, Top};
 
 /// Cycles from a pipeline's inputs to its outputs.
 const PIPELINE_LATENCY_CYCLES: usize = 8;
