@@ -17,7 +17,7 @@ const SCENES: [&str; 5] = ["bunny", "sibenik", "sanmiguel_leaves", "crytek_sponz
 const SIDE: u32 = 64;
 
 fn folder() -> Option<PathBuf> {
-    Some(PathBuf::from(std::env::var_os("DUALSPLIT_DATA")?).join("scenes"))
+    testing::data("scenes")
 }
 
 /// The camera that the primary rays of `scene` come from.

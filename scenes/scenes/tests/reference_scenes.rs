@@ -7,8 +7,7 @@ use std::time::Instant;
 use scenes::{MeshReport, Scene, obj};
 
 fn folder() -> Option<PathBuf> {
-    let data = std::env::var_os("DUALSPLIT_DATA")?;
-    Some(PathBuf::from(data).join("scenes"))
+    testing::data("scenes")
 }
 
 #[test]

@@ -12,7 +12,7 @@ pub mod energy;
 pub mod glitch;
 pub mod liberty;
 pub mod map;
-mod multiply;
+pub mod multiply;
 pub mod prove;
 pub mod simulate;
 pub mod timing;

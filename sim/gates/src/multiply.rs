@@ -7,7 +7,7 @@ use super::words::{Multiplier, Structures, add};
 type Column = Vec<(u32, Lit)>;
 
 /// `a * b` modulo 2^width.
-pub(super) fn product(aig: &mut Aig, structures: Structures, a: &[Lit], b: &[Lit], width: usize) -> Vec<Lit> {
+pub fn product(aig: &mut Aig, structures: Structures, a: &[Lit], b: &[Lit], width: usize) -> Vec<Lit> {
     let significant = |word: &[Lit]| word.iter().rposition(|&bit| bit != Lit::FALSE).map_or(0, |top| top + 1);
     let (a, b) = (&a[..significant(a)], &b[..significant(b)]);
     let (a, b) = if a.len() < b.len() { (b, a) } else { (a, b) };

@@ -3,7 +3,6 @@
 use super::aig::{Aig, Lit};
 use super::liberty::Library;
 use super::liberty::function::variable;
-use super::multiply;
 
 /// How sums are carried.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -226,11 +225,6 @@ fn prefix(aig: &mut Aig, kind: Adder, pairs: &mut [(Lit, Lit)]) {
 /// `a - b` modulo 2^width.
 pub fn subtract(aig: &mut Aig, kind: Adder, a: &[Lit], b: &[Lit]) -> Vec<Lit> {
     add(aig, kind, a, &not(b), Lit::TRUE).0
-}
-
-/// `a * b` modulo 2^width.
-pub fn multiply(aig: &mut Aig, structures: Structures, a: &[Lit], b: &[Lit], width: usize) -> Vec<Lit> {
-    multiply::product(aig, structures, a, b, width)
 }
 
 /// `value` shifted by an amount of any width, `left` or right; zero when the amount reaches the width.

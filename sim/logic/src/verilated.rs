@@ -199,6 +199,7 @@ mod tests {
     use equivalence::Stimulus;
     use lanes::{Compiled, LANES};
     use netlist::Engine;
+    use testing::tools::available;
     use netlist::{Change, Mutation, flatten, mutate};
     use pipelines::catalogue::{StandardFormat, Top};
 
@@ -229,16 +230,10 @@ mod tests {
         (0..LANES).map(stream).collect()
     }
 
-    fn available() -> bool {
-        let found = Command::new("verilator").arg("--version").output().is_ok();
-        assert!(found || std::env::var_os("CI").is_none(), "verilator is missing, and CI is set");
-        found
-    }
-
     /// Verilator's model starts each stream at power-up: each lane is a run of its own.
     #[test]
     fn verilator_shows_the_same_outputs_in_every_cycle() {
-        if !available() {
+        if !available("verilator") {
             return;
         }
         for top in [Top::FpAdd, Top::DualSplit] {
@@ -255,7 +250,7 @@ mod tests {
 
     #[test]
     fn verilator_shows_a_fault() {
-        if !available() {
+        if !available("verilator") {
             return;
         }
         let folder = tempfile::tempdir().unwrap();

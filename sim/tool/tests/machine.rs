@@ -9,7 +9,6 @@ use machine::reference::ReferenceRuns;
 use machine::results::Results;
 use render::{RenderOptions, Test, render};
 use scenes::Scene;
-use std::path::PathBuf;
 
 fn machine(settings: &[&str]) -> MachineDescription {
     let settings: Vec<String> = settings.iter().map(|s| (*s).to_owned()).collect();
@@ -166,11 +165,8 @@ fn a_tree_that_the_memory_cannot_hold_names_the_key() {
 /// Against the public simulator's runs, where they are at hand.
 #[test]
 fn reference_runs_are_within_their_tolerance() {
-    let Some(data) = std::env::var_os("DUALSPLIT_DATA").map(PathBuf::from) else {
-        eprintln!("DUALSPLIT_DATA is not set");
-        return;
-    };
-    let reference = ReferenceRuns::read(&data.join("simtrax")).unwrap();
+    let Some(folder) = testing::data("simtrax") else { return };
+    let reference = ReferenceRuns::read(&folder).unwrap();
     for run in &reference.runs {
         let run = reference.validate(run).unwrap();
         assert_eq!(run.result_mismatches, 0, "{} {}", run.set, run.variant);

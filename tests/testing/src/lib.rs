@@ -22,13 +22,23 @@ pub fn data(name: &str) -> Option<PathBuf> {
     Some(path)
 }
 
-/// Whether tests that take long are to be run: those in volume and those that synthesise. They are where `DUALSPLIT_LONG` or
+/// Whether tests that take long are to be run: in volume, with synthesis, or by long proofs. They are where `DUALSPLIT_LONG` or
 /// `CI` is set; otherwise a word on the output says that `what` was left out.
 #[must_use]
 pub fn long(what: &str) -> bool {
-    let long = ["DUALSPLIT_LONG", "CI"].iter().any(|name| std::env::var_os(name).is_some());
+    let long = is_long();
     if !long {
         println!("skipped: {what}, as DUALSPLIT_LONG is not set");
     }
     long
+}
+
+/// How many cases a test tries: `long` where `DUALSPLIT_LONG` or `CI` is set, otherwise `short`.
+#[must_use]
+pub fn cases(long: u64, short: u64) -> u64 {
+    if is_long() { long } else { short }
+}
+
+fn is_long() -> bool {
+    ["DUALSPLIT_LONG", "CI"].iter().any(|name| std::env::var_os(name).is_some())
 }

@@ -4,7 +4,6 @@
 pub mod strategies;
 
 use scenes::Mesh;
-use std::path::PathBuf;
 use stress::shapes::soup;
 
 /// The real scenes that `DUALSPLIT_DATA` holds, by number of triangles.
@@ -12,8 +11,7 @@ pub const SHARED_SCENES: [&str; 5] = ["bunny", "sibenik", "sanmiguel_leaves", "c
 
 /// A shared scene, or `None` if `DUALSPLIT_DATA` is unset.
 pub fn shared_scene(name: &str) -> Option<Mesh> {
-    let folder = PathBuf::from(std::env::var_os("DUALSPLIT_DATA")?);
-    Some(scenes::obj::load(folder.join("scenes").join(format!("{name}.obj.xz"))).expect("a valid scene"))
+    Some(scenes::obj::load(testing::data(&format!("scenes/{name}.obj.xz"))?).expect("a valid scene"))
 }
 
 /// Small triangles at pseudo-random places, half of them stretched along an axis.

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::expression::constant;
+use super::constant::constant;
 use super::identifier::{CLOCK, Namespace, PortNames, plain, port_names};
 use crate::{Design, Module, NodeId, Op, mask};
 

@@ -1,18 +1,11 @@
 //! Expressions: each operand has the width that its operation wants.
 
+use super::constant::constant;
 use super::emit::Emitter;
 use crate::{BinaryOp, NodeId, Op, UnaryOp, mask};
 
 /// A sized constant.
 #[must_use]
-pub fn constant(value: u128, width: u32) -> String {
-    match (width, value) {
-        (1, _) => format!("1'b{value}"),
-        (_, 0..10) => format!("{width}'d{value}"),
-        _ => format!("{width}'h{value:x}"),
-    }
-}
-
 impl Emitter<'_> {
     /// A node where it is used.
     pub(super) fn operand(&mut self, id: NodeId) -> String {

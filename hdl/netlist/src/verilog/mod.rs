@@ -4,6 +4,7 @@
 //! [`package`] adds testbench, vectors, yosys script, constraint, FuseSoC core and a README. rust-hdl's own export
 //! serves as a cross-check: [`cross_check`].
 
+mod constant;
 pub mod cross_check;
 mod emit;
 mod expression;
@@ -57,7 +58,7 @@ fn header(module: &Module) -> String {
     text.push('\n');
     for parameter in &module.parameters {
         let role = if parameter.is_tied_input { "tied input" } else { "constant" };
-        let value = expression::constant(parameter.value, parameter.width);
+        let value = constant::constant(parameter.value, parameter.width);
         let _ = writeln!(text, "//   {role} {} = {value}", plain(&parameter.name));
     }
     text

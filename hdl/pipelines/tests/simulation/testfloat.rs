@@ -5,7 +5,6 @@
 use fp::{Arithmetic, Format, Rounding};
 use pipelines::formats::binary32::{FpAdd, FpCmp, FpMul};
 use std::io::{BufRead, BufReader};
-use std::path::PathBuf;
 use units::clocking::Clocked;
 
 /// Operands and the six results of one line.
@@ -13,15 +12,8 @@ type Line = [u32; 8];
 
 /// The vectors, or `None` with a note if there are none.
 fn lines() -> Option<Vec<Line>> {
-    let Some(folder) = std::env::var_os("DUALSPLIT_DATA") else {
-        eprintln!("DUALSPLIT_DATA is not set: TestFloat vectors skipped");
-        return None;
-    };
-    let path = PathBuf::from(folder).join("testfloat/f32_level1.txt.gz");
-    let Ok(file) = std::fs::File::open(&path) else {
-        eprintln!("{} is missing: TestFloat vectors skipped", path.display());
-        return None;
-    };
+    let path = testing::data("testfloat/f32_level1.txt.gz")?;
+    let file = std::fs::File::open(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let text = BufReader::new(flate2::read::GzDecoder::new(file));
     let parse = |line: std::io::Result<String>| {
         let line = line.unwrap_or_else(|error| panic!("{}: {error}", path.display()));

@@ -4,6 +4,7 @@
 //! rising-edge D flip-flop, the smallest latch-based clock gate, tables of delay, transition time and internal energy.
 //! Units are nanoseconds, femtofarads, femtojoules, square micrometres and nanowatts, whatever the file's.
 
+mod attributes;
 mod embedded;
 pub mod function;
 mod read;

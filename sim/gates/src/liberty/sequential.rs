@@ -1,6 +1,6 @@
 //! Flip-flops and clock gates of a liberty file.
 
-use super::read::{Context, arc, capacitance, is_input, is_output, leakage, number};
+use super::attributes::{Context, arc, capacitance, is_input, is_output, leakage, number};
 use super::syntax::Group;
 use super::{ClockGate, FlipFlop};
 

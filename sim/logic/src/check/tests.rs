@@ -3,6 +3,7 @@ use super::volume::{volume, with_engine};
 use crate::interpreter::Interpreter;
 use netlist::{BinaryOp, Change, Flat, Mutation, flatten, mutate};
 use pipelines::catalogue::{StandardFormat, Top};
+use testing::cases;
 
 fn netlist(top: Top, format: StandardFormat) -> Flat {
     flatten(&top.design(format).unwrap()).unwrap()
@@ -13,15 +14,16 @@ fn mutant(top: Top, format: StandardFormat, module: &str, value: &str, change: C
     flatten(&mutate(&top.design(format).unwrap(), &mutation).unwrap()).unwrap()
 }
 
-/// Ten million operations of each unit and of either pipeline, a million or fewer of the other tops.
+/// Ten million operations of each unit and of either pipeline, a million or fewer of the other tops; a hundredth of that in
+/// short.
 #[test]
 fn every_top_in_volume() {
     for &top in Top::ALL {
         let vectors = match top {
-            Top::DualSplitLean | Top::RayBoxLean => 1_000_000,
-            Top::RayBoxX2 | Top::RayBoxX4 | Top::RayBoxX8 => 100_000,
-            Top::SharedUnits => 10_000,
-            _ => 10_000_000,
+            Top::DualSplitLean | Top::RayBoxLean => cases(1_000_000, 10_000),
+            Top::RayBoxX2 | Top::RayBoxX4 | Top::RayBoxX8 => cases(100_000, 1_000),
+            Top::SharedUnits => cases(10_000, 1_000),
+            _ => cases(10_000_000, 100_000),
         };
         let netlist = netlist(top, StandardFormat::Binary32);
         let totals = volume(top, StandardFormat::Binary32, &netlist, vectors, 11, |_| ()).unwrap();

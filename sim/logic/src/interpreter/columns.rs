@@ -1,38 +1,9 @@
-//! Columns, the values of a node in all lanes, and the instructions on them.
+//! Columns, the values of a node in all lanes, and what the instructions do with them.
 
 use super::LANES;
-use super::compile::{Instruction, Operation};
+use super::instruction::{Instruction, Operation, Place, Size};
 use netlist::BinaryOp;
 use num_traits::{AsPrimitive, PrimInt, Unsigned, WrappingAdd, WrappingMul, WrappingSub};
-
-/// Size of a column's values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Size {
-    /// 32 bits.
-    Small,
-    /// 64 bits.
-    Medium,
-    /// 128 bits.
-    Large,
-}
-
-impl Size {
-    /// The least size for values of `width` bits.
-    pub fn of(width: u32) -> Self {
-        match width {
-            ..=32 => Self::Small,
-            33..=64 => Self::Medium,
-            _ => Self::Large,
-        }
-    }
-}
-
-/// A column: its size and its position among those of that size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    pub size: Size,
-    pub at: usize,
-}
 
 /// The columns of each size. An instruction's result comes after its operands of the same size.
 #[derive(Clone, Debug, Default)]

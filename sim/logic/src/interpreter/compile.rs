@@ -1,46 +1,9 @@
 //! From a flattened netlist to instructions on columns.
 
-use super::columns::{Columns, Place, Size};
+use super::columns::Columns;
+use super::instruction::{Instruction, Operation, Place, Size};
 use super::{Interpreter, Register};
 use netlist::{BinaryOp, Flat, NodeId, Op, UnaryOp, mask};
-
-/// What an instruction does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Operation {
-    /// `a & b` and the like, and arithmetic, masked.
-    Word(BinaryOp),
-    /// `a << shift | b`.
-    Join,
-    /// `a`, whose sign bit is at `shift`, extended and masked.
-    SignExtend,
-    /// A comparison; operands move up by `shift` if it is signed.
-    Test(BinaryOp),
-    /// The operand's parity.
-    Parity,
-    /// `a ? b : c`.
-    Select,
-    /// `(a >> shift) & mask`, in another size.
-    Convert,
-    /// The least of `a` and 2^32 - 1.
-    Saturate,
-    /// `a << b`, masked.
-    ShiftLeft,
-    /// `a >> b`.
-    ShiftRight,
-}
-
-/// An operation on columns.
-#[derive(Clone, Copy, Debug)]
-pub struct Instruction {
-    pub operation: Operation,
-    /// Size of the operands where it is not the result's.
-    pub from: Size,
-    pub to: Place,
-    /// Positions of the operands in their size.
-    pub operands: [usize; 3],
-    pub shift: u32,
-    pub mask: u128,
-}
 
 /// The interpreter of a netlist, registers not yet at power-up.
 pub fn compile(netlist: &Flat) -> Interpreter {

@@ -7,9 +7,11 @@
 
 mod columns;
 mod compile;
+mod instruction;
 
-use columns::{Columns, Place};
-use compile::{Instruction, compile};
+use columns::Columns;
+use compile::compile;
+use instruction::{Instruction, Place};
 use netlist::Engine;
 use netlist::{Flat, NodeId, mask};
 

@@ -80,13 +80,13 @@ fn every_structure() {
 #[test]
 fn products_of_eleven_bits_are_complete() {
     use gates::aig::Aig;
-    use gates::words::multiply;
+    use gates::multiply::product;
     for multiplier in [Multiplier::Tree, Multiplier::Booth] {
         let mut aig = Aig::default();
         let structures = Structures { multiplier, ..Structures::default() };
         let a: Vec<_> = (0..11).map(|i| aig.add_input(format!("a{i}"))).collect();
         let b: Vec<_> = (0..11).map(|i| aig.add_input(format!("b{i}"))).collect();
-        let product = multiply(&mut aig, structures, &a, &b, 22);
+        let product = product(&mut aig, structures, &a, &b, 22);
         let mut gates = Simulator::<1>::new(&aig);
         for x in 0..1u128 << 11 {
             for y in (0..1u128 << 11).step_by(LANES) {

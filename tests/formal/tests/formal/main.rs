@@ -19,6 +19,7 @@ use netlist::{Change, Design, Instance, ModuleId, Mutation, Op, inventory, mutat
 use pipelines::catalogue::{StandardFormat, Top};
 use proof::{LeftOut, Proof, unit_sides};
 use std::collections::BTreeSet;
+use testing::long;
 use testing::tools::{in_parallel, provers_available};
 
 const UNITS: [Top; 5] = [Top::FpMul, Top::FpAdd, Top::FpMinMax, Top::FpCmp, Top::IntAdd];
@@ -76,7 +77,7 @@ fn units_of_eight_bits_are_exact() {
 /// What is proved about binary32 rests on `units.v`, which is thus more than another opinion.
 #[test]
 fn the_references_agree_in_eight_bits() {
-    if !provers_available() {
+    if !long("proofs of the references") || !provers_available() {
         return;
     }
     for format in SMALL_FORMATS {
@@ -92,7 +93,7 @@ fn the_references_agree_in_eight_bits() {
 
 #[test]
 fn units_of_binary32_are_ieee_754() {
-    if !provers_available() {
+    if !long("proofs of binary32") || !provers_available() {
         return;
     }
     in_parallel(UNITS, |top| {
@@ -104,7 +105,7 @@ fn units_of_binary32_are_ieee_754() {
 /// Elaboration makes an adder that only subtracts, and leaves out what nobody reads.
 #[test]
 fn specialised_units_of_binary32_are_ieee_754() {
-    if !provers_available() {
+    if !long("proofs of specialised units") || !provers_available() {
         return;
     }
     let mut seen = BTreeSet::new();
@@ -129,7 +130,7 @@ fn specialised_units_of_binary32_are_ieee_754() {
 
 #[test]
 fn pipelines_make_the_documented_steps() {
-    if !provers_available() {
+    if !long("proofs of the pipelines") || !provers_available() {
         return;
     }
     in_parallel(PIPELINES, |top| {
@@ -162,7 +163,7 @@ fn units_and_pipelines_are_plain_pipelines() {
 
 #[test]
 fn the_proofs_find_faults() {
-    if !provers_available() {
+    if !long("proofs of faulty designs") || !provers_available() {
         return;
     }
     let faults = [

@@ -1,0 +1,9 @@
+//! Constants as Verilog writes them.
+
+pub fn constant(value: u128, width: u32) -> String {
+    match (width, value) {
+        (1, _) => format!("1'b{value}"),
+        (_, 0..10) => format!("{width}'d{value}"),
+        _ => format!("{width}'h{value:x}"),
+    }
+}
