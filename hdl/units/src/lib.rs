@@ -1,4 +1,4 @@
-//! The arithmetic units, each with the latency of the published unit it stands for.
+//! The arithmetic units, each with the latency of the published unit that it stands for.
 //!
 //! | module | operation | latency (cycles) |
 //! |---|---|---|
@@ -8,8 +8,26 @@
 //! | [`FpCmp`] | less, less or equal, equal | 1 |
 //! | [`IntAdd`] | integer addition | 1 |
 //!
-//! What the results are bit for bit is stated by [`fp::Arithmetic`]. Addition and multiplication share their
-//! first layer, which splits a word into its fields, and their last one, the only rounder.
+//! [`fp::Arithmetic`] states the results bit for bit. Addition and multiplication share their first layer, which splits a word into
+//! its fields, and their last layer, the only rounder. [`blocks`] has registers and delays, [`clocking`] runs a module in
+//! `rust-hdl`'s own simulator.
+//!
+//! ```
+//! use rust_hdl_core::prelude::Block;
+//! use units::clocking::Clocked;
+//!
+//! // Eight exponent and 24 significand bits: binary32.
+//! let mut adder = <units::fp_add!(8, 24)>::default();
+//! adder.connect_all();
+//! adder.en_i.next = true;
+//! adder.valid_i.next = true;
+//! adder.a_i.next = u64::from(1.5_f32.to_bits()).into();
+//! adder.b_i.next = u64::from(2.25_f32.to_bits()).into();
+//! adder.tick();
+//! adder.tick();
+//! assert!(adder.valid_o.val());
+//! assert_eq!(f32::from_bits(adder.result_o.val().to_u32()), 3.75);
+//! ```
 
 pub mod blocks;
 pub mod clocking;

@@ -1,4 +1,4 @@
-//! Random designs and faulty units, with their compiled simulations: what the engines are compared on.
+//! Random designs and faulty units with their compiled simulations, on which the tests compare the engines.
 
 pub mod faults;
 pub mod random;

@@ -43,7 +43,7 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
         }
         let context = Context::new(&group).map_err(in_file)?;
         for cell in group.of_kind("cell") {
-            // Clock gates are mostly closed to synthesis, and open to the clock tree.
+            // Most libraries close clock gates to synthesis, and leave them to the clock tree.
             if let Some(found) = sequential::clock_gate(&context, cell) {
                 gates.push(found);
             }
@@ -275,7 +275,8 @@ pub(super) fn arc(
     };
     let timings: Vec<&Group> =
         output.of_kind("timing").filter(relates).filter(|timing| wanted(timing)).collect();
-    // The slowest condition stands for all in timing: the first with each table, which libraries list as default, else any.
+    // The slowest condition stands for all in timing. That is the first condition with each table, which libraries
+    // list as default, or else any.
     let default = timings.iter().find(|timing| timing.value("when").is_none()).or_else(|| timings.first())?;
     let table = |kind: &str| context.table(default, kind, context.time_ns);
     let sense = if timings.iter().all(|timing| timing.value("timing_sense") == Some("positive_unate")) {
@@ -286,7 +287,7 @@ pub(super) fn arc(
         Sense::Both
     };
     let power = output.of_kind("internal_power").filter(relates).filter(|group| {
-        // Of several supply pins, the one that feeds the cell has the energy.
+        // If a cell has several supply pins, the energy is listed at the one that feeds the cell.
         !group.value("related_pg_pin").is_some_and(|pin| pin.to_ascii_uppercase().contains("VSS"))
     });
     let power: Vec<&Group> = power.collect();
