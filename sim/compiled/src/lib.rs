@@ -4,25 +4,28 @@
 //! [`lanes::Compiled`] runs it.
 //!
 //! ```
-//! use lanes::{Compiled, LANES};
-//! use netlist::Engine;
+//! use lanes::Compiled;
 //! use pipelines::catalogue::{StandardFormat, Top};
 //!
-//! let program = compiled::program(Top::FpMul, StandardFormat::Binary32).expect("it is compiled");
-//! let port = |name| program.input(name).expect("the multiplier has it");
+//! let program = compiled::program(Top::RayBox, StandardFormat::Binary32).expect("it is compiled");
+//! let input = |name: &str| program.inputs[program.input(name).expect("the pipeline has it")].slot;
+//! let output = |name: &str| program.outputs[program.output(name).expect("the pipeline has it")].slot;
+//!
+//! // A ray along z through the box from (-1, -1, 2) to (1, 1, 3), in lane 0.
 //! let mut simulation = Compiled::new(program);
-//! for lane in 0..LANES {
-//!     simulation.set_input(port("en_i"), lane, 1);
-//!     simulation.set_input(port("a_i"), lane, (lane as f32).to_bits().into());
-//!     simulation.set_input(port("b_i"), lane, 0.5_f32.to_bits().into());
+//! let box_planes = [("min_x", -1.0), ("min_y", -1.0), ("min_z", 2.0), ("max_x", 1.0), ("max_y", 1.0), ("max_z", 3.0)];
+//! for (plane, value) in box_planes {
+//!     simulation.words_mut(input(&format!("box_{plane}_i")))[0] = f32::to_bits(value);
 //! }
-//! for _ in 0..2 {
-//!     simulation.settle();
-//!     simulation.clock();
+//! for (axis, reciprocal) in [("x", f32::INFINITY), ("y", f32::INFINITY), ("z", 1.0)] {
+//!     simulation.words_mut(input(&format!("inv_entry_{axis}_i")))[0] = reciprocal.to_bits();
+//!     simulation.words_mut(input(&format!("inv_exit_{axis}_i")))[0] = reciprocal.to_bits();
 //! }
-//! simulation.settle();
-//! let result = program.output("result_o").expect("the multiplier has it");
-//! assert_eq!(simulation.output(result, 7), u128::from(3.5_f32.to_bits()));
+//! simulation.words_mut(input("t_max_i"))[0] = f32::INFINITY.to_bits();
+//!
+//! simulation.flush(0);
+//! assert_eq!(simulation.bits(output("hit_o")) & 1, 1);
+//! assert_eq!(f32::from_bits(simulation.words(output("t_entry_o"))[0]), 2.0);
 //! ```
 
 use lanes::Program;
