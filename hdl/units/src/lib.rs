@@ -9,24 +9,31 @@
 //! | [`IntAdd`] | integer addition | 1 |
 //!
 //! [`fp::Arithmetic`] states the results bit for bit. Addition and multiplication share their first layer, which splits a word into
-//! its fields, and their last layer, the only rounder. [`blocks`] has registers and delays, [`clocking`] runs a module in
-//! `rust-hdl`'s own simulator.
+//! its fields, and their last layer, the only rounder. [`blocks`] has registers and delays. [`clocking`] runs a module
+//! in `rust-hdl`'s own simulator.
 //!
 //! ```
+//! use netlist::{Evaluator, elaborate, flatten};
 //! use rust_hdl_core::prelude::Block;
-//! use units::clocking::Clocked;
 //!
 //! // Eight exponent and 24 significand bits: binary32.
 //! let mut adder = <units::fp_add!(8, 24)>::default();
 //! adder.connect_all();
-//! adder.en_i.next = true;
-//! adder.valid_i.next = true;
-//! adder.a_i.next = u64::from(1.5_f32.to_bits()).into();
-//! adder.b_i.next = u64::from(2.25_f32.to_bits()).into();
-//! adder.tick();
-//! adder.tick();
-//! assert!(adder.valid_o.val());
-//! assert_eq!(f32::from_bits(adder.result_o.val().to_u32()), 3.75);
+//! let adder = flatten(&elaborate(&adder, "adder")?)?;
+//!
+//! let mut simulation = Evaluator::new(&adder);
+//! let inputs = [("en_i", 1), ("a_i", f32::to_bits(1.5)), ("b_i", f32::to_bits(2.25))];
+//! for (name, value) in inputs {
+//!     simulation.set_input(adder.input(name).expect("a port of the adder"), value.into());
+//! }
+//! for _cycle in 0..2 {
+//!     simulation.settle();
+//!     simulation.clock();
+//! }
+//! simulation.settle();
+//! let sum = simulation.output(adder.output("result_o").expect("a port of the adder"));
+//! assert_eq!(sum, f32::to_bits(3.75).into());
+//! # Ok::<(), netlist::ElaborateError>(())
 //! ```
 
 pub mod blocks;

@@ -8,8 +8,8 @@
 //! * *Lost bits*: `s[i+1] = a[i] ? s[i] | any(v[i] & (2^2^i - 1)) : s[i]` beside it gives `(v[0] >> a) << a != v[0]`.
 //! * *Normalise*: `c = v < 2^(w-d)`, `v' = c ? v << d : v`, `n' = c ? n + d : n` for `d = 2^j` down to 1 gives
 //!   `z = min(leading zeros of v, 2^(j+1) - 1)`, `v << z` and `n + z`. With a budget, `c = v < 2^(w-d) & d <= b` and
-//! `b' = c ? b - d : b`, it gives the same with `z = min(that, b)`, and `b - z`: each row takes off a power of two
-//! while both are at least as large, so the rows take off the binary digits of the lesser.
+//!   `b' = c ? b - d : b`, it gives the same with `z = min(that, b)`, and `b - z`: each row takes off a power of two
+//!   while both are at least as large, so the rows take off the binary digits of the lesser.
 
 use super::unit::Kind;
 use netlist::{BinaryOp, Graph, NodeId, Op, UnaryOp, mask};
