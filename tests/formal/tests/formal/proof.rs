@@ -7,7 +7,7 @@ use std::fmt::Write;
 use testing::tools::prove;
 
 /// The references, in Verilog.
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/formal");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/verilog");
 
 /// What a proof leaves out: a black box, whose operands are proved equal on both sides and whose results are any words.
 #[derive(Clone, Copy, PartialEq)]
