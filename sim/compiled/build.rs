@@ -1,4 +1,4 @@
-//! Writes the simulation of every top of the catalogue that is compiled.
+//! Writes the simulations of the catalogue's tops in the formats that are compiled.
 
 use codegen::Programs;
 use pipelines::catalogue::{StandardFormat, Top};

@@ -1,4 +1,4 @@
-//! Floating-point policy: what minimum, maximum and NaN mean, for golden and RTL alike.
+//! The floating-point policy: what minimum, maximum and NaN mean, for golden and RTL alike.
 //!
 //! | operation | NaN operand | zeros |
 //! |---|---|---|
@@ -7,10 +7,29 @@
 //! | `<`, `<=`, `==` | false | -0 == +0 |
 //! | `+`, `-`, `*` | propagates | IEEE 754 |
 //!
-//! Every NaN result is the canonical quiet NaN ([`CANONICAL_NAN`]), whatever the operands' payloads. Because -0
-//! orders below +0, each of the four functions is commutative and associative bit for bit, so that an
-//! interval does not depend on the order in which planes are folded into it. Names and semantics are those of
-//! IEEE 754-2019, section 9.6. Subnormals are kept; rounding is to nearest even unless a function says otherwise.
+//! Every NaN result is the canonical quiet NaN ([`CANONICAL_NAN`]), whatever the operands' payloads. Because -0 orders below +0,
+//! each of the four functions is commutative and associative bit for bit. An interval therefore does not depend on the order in
+//! which planes are folded into it. Names and semantics are those of IEEE 754-2019, section 9.6. Subnormals are kept; rounding is
+//! to nearest even unless a function says otherwise.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`mod@format`] | binary formats by their widths |
+//! | [`soft`] | what the floating-point units compute, by integer arithmetic, in every format |
+//! | [`operands`] | operands for tests, the special values among them |
+//!
+//! ```
+//! use fp::{Arithmetic, Format, Rounding, minimum_number};
+//!
+//! assert_eq!(minimum_number(f32::NAN, 1.0), 1.0);
+//! assert!(minimum_number(0.0, -0.0).is_sign_negative());
+//!
+//! let half = Arithmetic::new(Format::BINARY16);
+//! let tenth = half.from_f32(0.1, Rounding::NearestEven);
+//! let up = half.fp_add(tenth, half.from_f32(1.0, Rounding::NearestEven), false, Rounding::Up);
+//! let down = half.fp_add(tenth, half.from_f32(1.0, Rounding::NearestEven), false, Rounding::Down);
+//! assert_eq!((half.to_f32(down), half.to_f32(up)), (1.0996094, 1.1005859));
+//! ```
 
 pub mod format;
 pub mod operands;

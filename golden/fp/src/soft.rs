@@ -1,13 +1,15 @@
 //! Integer reference of the floating-point units, for every format, rounding direction and subnormal policy.
 //!
-//! Each operation forms the exact result as `significand * 2^exponent` and rounds it once. Operands and results are bit
-//! patterns in the low bits of a `u32`. Functions and argument order are those of the RTL units in crate `hdl`.
+//! Each operation forms the exact result as `significand * 2^exponent` and rounds it once. Operands and results are
+//! bit patterns in the low bits of a `u32`. Functions and argument order are those of the RTL units in the crate
+//! `units`.
 //!
 //! # Flushed subnormals
-//! With [`Subnormals::Flush`] a subnormal operand of an addition or multiplication counts as a zero of its sign. A
-//! result that is not zero and, before rounding, smaller in magnitude than the smallest normal number becomes that
-//! number where the rounding direction points away from zero, else a zero of its sign: directed rounding
-//! thus stays directed, and a bound stays a bound. Comparisons, minimum and maximum never flush.
+//! With [`Subnormals::Flush`], a subnormal operand of an addition or multiplication counts as a zero of its sign. A
+//! result is too small if, before rounding, its magnitude is not zero and below the smallest normal number. Where the
+//! rounding direction points away from zero, such a result becomes the smallest normal number of its sign; elsewhere
+//! it becomes a zero of its sign. Directed rounding thus stays directed, and a bound stays a bound. Comparisons,
+//! minimum and maximum never flush.
 
 use super::format::Format;
 
@@ -49,7 +51,7 @@ pub enum Subnormals {
     /// Gradual underflow, as IEEE 754 requires.
     #[default]
     Keep,
-    /// They count as zeros, as the module's header states.
+    /// Subnormals count as zeros, as the module's header states.
     Flush,
 }
 
@@ -176,7 +178,7 @@ impl Arithmetic {
         }
     }
 
-    /// The number with the given bits as a native one, which holds every format's numbers exactly. Subnormals are
+    /// The number with the given bits as a native number, which holds every format's numbers exactly. Subnormals are
     /// converted, not flushed.
     #[must_use]
     pub fn to_f32(&self, bits: u32) -> f32 {
@@ -226,7 +228,7 @@ impl Arithmetic {
         Value::Finite(Exact { negative, significand, exponent })
     }
 
-    /// The one place where anything is rounded.
+    /// Rounds: the one place that does.
     fn round(&self, exact: Exact, rounding: Rounding) -> u32 {
         let Exact { negative, significand, exponent } = exact;
         if significand == 0 {

@@ -1,6 +1,6 @@
 //! Rays per second, closest hit, one thread: every structure in both modes beside `obvhs` and `bvh`.
 //!
-//! `cargo bench -p golden --bench traverse [-- FILTER]`. With `DUALSPLIT_DATA` set, the real scenes are added to the
+//! `cargo bench -p dualsplit-golden --bench traverse [-- FILTER]`. With `DUALSPLIT_DATA` set, the real scenes are added to the
 //! built-in ones. `examples/trace_speed.rs` prints the ratios of interleaved runs.
 
 #[path = "../tests/support/rays.rs"]

@@ -1,6 +1,6 @@
 //! Compares the builder with `obvhs` on the real scenes: SAH cost and time, at equal maximum leaf size.
 //!
-//! `DUALSPLIT_DATA=... cargo run --release -p golden --example build_quality [-- SCENE...]`
+//! `DUALSPLIT_DATA=... cargo run --release -p dualsplit-golden --example build_quality [-- SCENE...]`
 //!
 //! `ratio` is the cost over the better of the two `very_slow` trees. The time is processor time of all
 //! threads; `obvhs` has one.

@@ -1,6 +1,6 @@
 //! Size, expected work and conversion rate of dual-split trees over the real scenes, beside the BVH2 with the same leaves.
 //!
-//! `DUALSPLIT_DATA=... cargo run --release -p golden --example dst_size [-- SCENE...]`
+//! `DUALSPLIT_DATA=... cargo run --release -p dualsplit-golden --example dst_size [-- SCENE...]`
 //!
 //! The bound is the fewest carve nodes per split that any choice of axes could reach: of the planes of two children that
 //! are not their parent's, the split stores two and each carve node two. Times are processor time of all threads; the conversion

@@ -1,7 +1,7 @@
 //! Compares traversal speed with `obvhs` on the real scenes: same rays, one thread, medians of the
 //! processor time of interleaved runs.
 //!
-//! `DUALSPLIT_DATA=... cargo run --release -p golden --example trace_speed [-- SCENE...]`
+//! `DUALSPLIT_DATA=... cargo run --release -p dualsplit-golden --example trace_speed [-- SCENE...]`
 //!
 //! SCENE is a real scene, or a built-in one and its detail, such as `hairball:1`.
 

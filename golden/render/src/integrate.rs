@@ -22,7 +22,8 @@ pub(super) fn render<S: Trace>(
     options: &RenderOptions,
     rows_done: impl Fn(u64) + Sync,
 ) -> Rendering {
-    // Collected in order, and joined in order below: the number of threads leaves no trace.
+    // The rows are collected in order, and joined in order below, so the result does not depend on the number of
+    // threads.
     let rows: Vec<Row> = (0..options.height)
         .into_par_iter()
         .map(|y| {
@@ -91,7 +92,7 @@ struct Tracer<'a, S> {
     scene: &'a Scene,
     options: &'a RenderOptions,
     row: &'a mut Row,
-    /// Of the current pixel.
+    /// The work of the current pixel.
     work: Work,
 }
 

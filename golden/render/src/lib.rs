@@ -1,15 +1,37 @@
-//! The two rendering tests: where the rays come from that everything is measured with.
+//! The two rendering tests, from which come the rays that everything is measured with.
 //!
-//! * [`Test::Raycast`]: a primary ray per sample and a shadow ray to the point light where it hits.
-//! * [`Test::Path`]: path tracing with [`DIFFUSE_BOUNCES`] diffuse bounces, cosine-weighted, and a shadow ray from every
-//!   vertex (next-event estimation).
+//! * [`Test::Raycast`] traces a primary ray per sample, and a shadow ray to the point light from where the primary ray hits.
+//! * [`Test::Path`] traces paths with [`DIFFUSE_BOUNCES`] diffuse bounces, cosine-weighted, and a shadow ray from every vertex
+//!   (next-event estimation).
 //!
-//! A picture depends on the scene and on [`RenderOptions`] alone: not on the structure, the number of threads nor
-//! the machine. All structures find the same hits bit for bit; every sample is drawn from a sequence of its own;
-//! sine, cosine and tangent come from `libm`; sums have a fixed order.
+//! A picture depends on the scene and on [`RenderOptions`] alone, not on the structure, the number of threads or the machine. All
+//! structures find the same hits bit for bit. Every sample is drawn from a sequence of its own. Sine, cosine and tangent come from
+//! `libm`. Sums have a fixed order.
 //!
-//! Surfaces are grey and diffuse ([`ALBEDO`]). The normal is that of the triangle, turned towards the ray. A shadow ray
-//! is cast only where the light is above the surface.
+//! Surfaces are grey and diffuse ([`ALBEDO`]). The normal is that of the triangle, turned towards the ray. A shadow ray is cast only
+//! where the light is above the surface.
+//!
+//! [`ray_file`] reads and writes the rays of a rendering and their hits.
+//!
+//! ```
+//! use golden::build::{BuildOptions, Quality, build};
+//! use golden::structure::{Structure, StructureKind, pack_triangles};
+//! use render::{RenderOptions, Test, render};
+//!
+//! let scene = scenes::procedural::build("statue", 0.0005, 0)?;
+//! let tree = build(&scene.mesh, &BuildOptions::new(Quality::Fast))?;
+//! let triangles = pack_triangles(&scene.mesh, &tree);
+//! let options = RenderOptions::new(Test::Raycast, 8, 6);
+//!
+//! let mut pictures = Vec::new();
+//! for kind in [StructureKind::Bvh2, StructureKind::Dst] {
+//!     let structure = Structure::convert(kind, &tree, &triangles)?;
+//!     pictures.push(render(&structure, &scene, &options, |_rows| ())?.pixels);
+//! }
+//! assert_eq!(pictures[0].len(), 8 * 6);
+//! assert_eq!(pictures[0], pictures[1], "all structures give the same picture");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod camera;
 mod integrate;
@@ -99,8 +121,8 @@ pub struct RenderOptions {
     pub mode: Mode,
     /// Radiance of rays that leave the scene, linear RGB.
     pub background: [f32; 3],
-    /// Whether work is counted: [`Pixel::work`] and the counters of [`Rendering::totals`] stay zero without. Counting
-    /// visits node by node, which takes about twice as long.
+    /// Whether work is counted. If it is not, [`Pixel::work`] and the counters of [`Rendering::totals`] stay zero.
+    /// Counting goes node by node, which takes about twice as long.
     pub count_work: bool,
     /// Whether the rays are kept in [`Rendering::rays`], 32 bytes each.
     pub keep_rays: bool,
@@ -156,7 +178,7 @@ pub enum RenderError {
 
 /// Renders `scene` with the rays traced through `structure`, on the threads of the current `rayon` pool.
 ///
-/// `rows_done` is called with the number of rows that have been finished since its last call, from any thread.
+/// Any thread calls `rows_done` with the number of rows that have been finished since the last call.
 ///
 /// # Errors
 /// See [`RenderError`].
@@ -173,7 +195,7 @@ pub fn render<S: Trace>(
     Ok(integrate::render(structure, scene, &camera, options, rows_done))
 }
 
-/// The pixels of a picture one by one, for whoever wants to know which rays belong to which.
+/// Renders the pixels of a picture one by one, so that a caller knows which rays belong to which pixel.
 pub struct PixelRenderer<'a> {
     scene: &'a Scene,
     options: RenderOptions,

@@ -1,7 +1,7 @@
 //! Files of rays and of the hits that were found for them.
 //!
-//! Both formats are the project's own and little-endian; a file may be compressed with xz, which reading recognises by
-//! content and writing chooses by the ending `.xz`.
+//! Both formats are the project's own, and little-endian. A file may be compressed with xz: reading recognises that
+//! by the content, and writing compresses if the name ends in `.xz`.
 //!
 //! | rays, `DSTRAYS1` | | hits, `DSTHITS1` | |
 //! |---|---|---|---|
@@ -115,8 +115,7 @@ pub enum RayFileErrorKind {
     },
 }
 
-/// Reads the rays in `path`. If it does not tell classes, all rays after the primary ones are
-/// [`RayClass::Secondary`].
+/// Reads the rays in `path`. If the file has no classes, all rays after the primary ones are [`RayClass::Secondary`].
 ///
 /// # Errors
 /// [`RayFileError`] names the file, the offset and the remedy.

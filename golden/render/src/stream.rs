@@ -19,7 +19,7 @@ pub enum RayClass {
         /// Number of the bounce from 1.
         bounce: u8,
     },
-    /// Not primary; nothing more is known, as for the rays of files that do not tell.
+    /// Not primary. Nothing more is known, as for rays from a file without classes.
     Secondary,
 }
 

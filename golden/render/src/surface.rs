@@ -7,10 +7,10 @@ use golden::ray::Hit;
 ///
 /// The point is evaluated in double precision and rounded once, so it lies within 0.9 of these units of the
 /// triangle's plane. The triangle test's distance is off by less than 40 of them (the larger part is the translation
-/// of corners that are up to twice the coordinate away), so that the triangle itself is never hit again.
-/// Waechter and Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, step by 256
-/// units of each coordinate of the point and by a fixed distance near the origin; taking the triangle's largest
-/// coordinate instead makes the offset scale with the scene and covers large triangles near the origin.
+/// of corners that are up to twice the coordinate away), so that the triangle itself is never hit again. Waechter and
+/// Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, step by 256 units of
+/// each coordinate of the point, and by a fixed distance near the origin. The triangle's largest coordinate, taken
+/// instead, makes the offset scale with the scene and covers large triangles near the origin.
 pub const OFFSET_ULPS: u32 = 128;
 
 /// A point on a triangle, seen from a ray.

@@ -1,9 +1,11 @@
-//! Endless rays of which a hit is known by construction: each is aimed at a triangle, and that one exact test confirms it.
+//! Endless rays with one hit known by construction: each ray is aimed at a triangle, and one exact test of that
+//! triangle confirms the hit.
 //!
-//! A traversal has lost the hit if it returns none, one farther away, or one of a higher index at the same distance: no
-//! search over all triangles is needed, so that millions of rays take seconds. Aims are where traversal goes wrong: corners
-//! and edges, which lie on the corners, edges and faces of boxes; along axes, so that a plane contains the ray; from
-//! points in the planes of boxes; from the surface itself; from afar; and a few units in the last place beside all of these.
+//! A traversal has lost the hit if it returns none, one farther away, or one of a higher index at the same distance.
+//! The check needs no search over all triangles, so millions of rays take seconds. The aims are where traversal goes
+//! wrong: corners and edges, which lie on the corners, edges and faces of boxes; along axes, so that a plane contains
+//! the ray; from points in the planes of boxes; from the surface itself; from afar; and a few units in the last place
+//! beside all of these.
 
 use super::shapes::Random;
 use golden::ray::{Hit, Ray, TraversalRay};
@@ -11,7 +13,7 @@ use golden::triangle::{Triangle, TriangleTest};
 use golden::{Aabb, Mode};
 use scenes::Mesh;
 
-/// A ray and a hit that it has.
+/// A ray and a hit of that ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aimed {
     /// The ray.
@@ -132,7 +134,7 @@ impl<'a> Aim<'a> {
             }
             // From afar.
             4 => origin = std::array::from_fn(|k| target[k] + (origin[k] - target[k]) * 1e4),
-            // So that the difference is exact as far as the target's bits allow: from its cell of a coarse grid.
+            // From a coarse grid, so that the difference is exact as far as the target's bits allow.
             5 => origin = std::array::from_fn(|k| f32::from_bits(origin[k].to_bits() & 0xffff_0000)),
             // Almost in an axis plane through the target: the reciprocal is huge, or beyond all numbers.
             6 => {
@@ -157,15 +159,15 @@ fn confirm(mesh: &Mesh, ray: &Ray, index: u32, mode: Mode) -> Option<Aimed> {
     let triangle = Triangle::new(mesh, index, true);
     let hit = TriangleTest::new(&prepared).intersect(&prepared, &triangle, prepared.t_max)?;
     let known = Hit { t: prepared.given_t(hit.t), u: hit.u, v: hit.v, triangle: index };
-    // Distances that differ along the scaled direction may become one subnormal or zero along the one that was given:
-    // then ties would be seen where there are none.
+    // Distances that differ along the scaled direction may become the same subnormal or zero along the given
+    // direction. The check would then see ties where there are none.
     (known.t.is_normal() || hit.t == 0.0).then_some(Aimed { ray: *ray, known })
 }
 
 impl Iterator for Aim<'_> {
     type Item = Aimed;
 
-    /// Never ends on a mesh with a triangle that has an area.
+    /// The iterator never ends on a mesh with a triangle that has an area.
     fn next(&mut self) -> Option<Aimed> {
         loop {
             let (ray, index) = self.shoot();

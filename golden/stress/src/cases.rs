@@ -1,4 +1,4 @@
-//! The ways in which ray libraries lose hits, as measured on nine of them.
+//! The ways in which ray libraries lose hits, as measured on nine libraries.
 //!
 //! Cases 26 (invalid vertices) and 30 (no triangles) are errors of the builder and have no rays.
 
@@ -23,7 +23,7 @@ fn case(name: &'static str, mesh: Mesh, rays: Vec<Ray>, closed: bool) -> Case {
     Case { name, mesh, rays, closed }
 }
 
-/// All cases; those that need an object take [`stand_in`].
+/// All cases. The cases that need an object take [`stand_in`].
 #[must_use]
 pub fn all() -> Vec<Case> {
     let mut cases = closed_spheres();

@@ -1,9 +1,10 @@
 //! The exact nearest triangles of a ray: Cramer's rule in rational numbers, independent of the traversal kernels and of
 //! the triangle test.
 //!
-//! Doubles with an error bound decide what they can. Candidates come from the boxes of a hierarchy, widened beyond
-//! the rounding of double precision. A triangle is hit where the ray's line meets it, edges and corners included; not if
-//! the ray lies in its plane, nor if it has no area.
+//! Doubles with an error bound decide the cases that they can, and rational numbers the rest. Candidates come from
+//! the boxes of a hierarchy, widened beyond the rounding of double precision. A ray hits a triangle where the ray's
+//! line meets it, edges and corners included. It does not hit a triangle in whose plane it lies, nor a triangle
+//! without area.
 
 use golden::build::{BinaryTree, Content};
 use golden::{Aabb, Ray};

@@ -22,7 +22,7 @@ pub struct RayWords {
     pub t_max: u32,
 }
 
-/// What a dual-split pipeline is given.
+/// The inputs of a dual-split pipeline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeCase {
     /// The node's three words.
@@ -31,7 +31,7 @@ pub struct NodeCase {
     pub ray: RayWords,
 }
 
-/// What a ray-box pipeline is given: planes min x, y, z, max x, y, z.
+/// The inputs of a ray-box pipeline: planes min x, y, z, max x, y, z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxCase {
     /// The planes.
@@ -47,7 +47,7 @@ pub type Slot = (u32, u32, u32);
 pub type Outcome = (u8, Option<Slot>, Option<Slot>);
 
 impl NodeCase {
-    /// What golden makes of it.
+    /// Golden's outcome for these inputs.
     #[must_use]
     pub fn golden(&self) -> Outcome {
         let ray = self.ray.traversal_ray();

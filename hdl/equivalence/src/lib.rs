@@ -5,10 +5,26 @@
 //!                                            +--> Model (golden) ------> claims ----+--> Outcome
 //! ```
 //!
-//! A [`Model`] makes of each operation a list of claims, *output p shows the value v*, which fall due after the unit's
-//! latency in enabled cycles; outputs that mean nothing (of an invalid operation, a miss, a slot that is not returned)
-//! are not claimed. Stalls, bubbles and tags are part of every stream. Equal seeds give equal streams, so that a mismatch
-//! is found again by its seed.
+//! A [`Model`] turns each operation into a list of claims, *output p shows the value v*. The claims fall due after the unit's latency
+//! in enabled cycles. The model claims nothing about outputs that mean nothing: those of an invalid operation, of a miss, or of a
+//! slot that is not returned. Stalls, bubbles and tags are part of every stream. Equal seeds give equal streams, so the seed finds a
+//! mismatch again.
+//!
+//! ```
+//! use netlist::{flatten, mutate, mutations};
+//! use pipelines::catalogue::{StandardFormat::Binary32, Top};
+//!
+//! let design = Top::FpCmp.design(Binary32)?;
+//! let outcome = equivalence::check(&flatten(&design)?, Top::FpCmp, Binary32, 500, 1);
+//! assert_eq!(outcome.mismatches, 0);
+//!
+//! // The check notices a fault in the netlist.
+//! let faults = mutations(&design);
+//! let faulty = mutate(&design, &faults[0])?;
+//! let outcome = equivalence::check(&flatten(&faulty)?, Top::FpCmp, Binary32, 500, 1);
+//! assert!(outcome.mismatches > 0, "{:?}", faults[0]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod cases;
 mod classes;

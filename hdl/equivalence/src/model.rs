@@ -97,7 +97,7 @@ impl Model {
     /// The specification of `top` in `format`, for `netlist`'s order of ports, with nothing in flight.
     ///
     /// # Panics
-    /// If `netlist` has not the ports of `top`, or for a pipeline in a format other than binary32, the only one that
+    /// If `netlist` lacks a port of `top`, or if a pipeline is in another format than binary32, the only one that
     /// golden traverses in.
     #[must_use]
     pub fn new(top: Top, format: StandardFormat, netlist: &Flat) -> Self {
@@ -121,7 +121,8 @@ impl Model {
         })
     }
 
-    /// A rising clock edge with these inputs; `class` is told what they are. Returns whether an operation went in.
+    /// Applies a rising clock edge with these inputs, and calls `class` with the name of each class that they are in.
+    /// Returns whether an operation went in.
     pub fn clock(&mut self, inputs: &[u128], mut class: impl FnMut(&'static str)) -> bool {
         if inputs[self.enable] == 0 {
             class("stall");

@@ -105,7 +105,7 @@ impl Iterator for Stimulus {
     type Item = Vec<u128>;
 
     fn next(&mut self) -> Option<Vec<u128>> {
-        // Whatever is not set below is any bits at all.
+        // Every input that the code below does not set has random bits.
         let stream = &mut self.stream;
         let mut inputs: Vec<u128> =
             self.widths.iter().map(|&width| u128::from(stream.bits()) & mask(width)).collect();
@@ -123,7 +123,7 @@ impl Iterator for Stimulus {
             inputs[*input] = *mode;
         }
         for &[a, b] in &self.operands {
-            // Random pairs hardly ever meet two classes that have a rule of their own, such as infinity and zero.
+            // Random pairs hardly ever combine two classes that have a rule of their own, such as infinity and zero.
             let choice = stream.bits();
             let (x, y) = if choice & 7 == 0 {
                 let draw = |shift: u32| self.special[(choice >> shift) as usize % self.special.len()];

@@ -50,8 +50,8 @@ pub trait Engine {
         }
     }
 
-    /// A rising clock edge with the present inputs; outputs stay as they are until the next
-    /// [`settle`](Engine::settle), which has to have come before.
+    /// Applies a rising clock edge with the present inputs. A [`settle`](Engine::settle) must come before it; the
+    /// outputs stay as they are until the next one.
     fn clock(&mut self);
 }
 

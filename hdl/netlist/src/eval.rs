@@ -1,6 +1,6 @@
 //! Evaluation: of a bare graph, and of a flattened netlist cycle by cycle.
 //!
-//! The plain interpreter that everything faster is measured against: one word at a time, no tricks.
+//! The plain interpreter, one word at a time without tricks. All faster engines are compared with it.
 
 use super::flatten::Flat;
 use super::graph::{Graph, NodeId, Op, apply, mask, operand_width};
@@ -28,7 +28,7 @@ pub fn evaluate(graph: &Graph, mut source: impl FnMut(Op, u32) -> u128) -> Vec<u
 /// A cycle-accurate simulation of a flattened netlist.
 ///
 /// ```
-/// # use crate::{Evaluator, Flat};
+/// # use netlist::{Evaluator, Flat};
 /// # fn run(flat: &Flat) {
 /// let mut simulation = Evaluator::new(flat);
 /// simulation.set_input(0, 7);

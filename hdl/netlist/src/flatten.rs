@@ -117,7 +117,7 @@ pub fn flatten(design: &Design) -> Result<Flat, ElaborateError> {
     for (port, node) in &top.outputs {
         outputs.push((port.clone(), flattener.resolve(0, *node)?));
     }
-    // Registers number themselves as they are reached, and their inputs may reach more.
+    // A register gets its number when the walk reaches it, and its inputs may reach further registers.
     let mut done = 0;
     while let Some(&(scope, position)) = flattener.pending.get(done) {
         let register = &flattener.module(scope).registers[position];
@@ -226,8 +226,8 @@ impl<'d> Flattener<'d> {
         }
     }
 
-    /// The flat node of a node, made with everything it needs. Depth first with a stack of its own: logic may be
-    /// deeper than a thread's stack.
+    /// The flat node of a node, made with everything that the node needs. The walk is depth first with a stack of its
+    /// own, because logic may be deeper than a thread's stack.
     fn resolve(&mut self, scope: ScopeId, node: NodeId) -> Result<NodeId, ElaborateError> {
         let start = self.across_ports(scope, node)?;
         let mut stack = vec![start];

@@ -19,8 +19,9 @@ pub struct Folded {
     pub names: Vec<LocalName>,
 }
 
-/// Folds assuming that every register keeps its power-up value, and drops the assumption where the next value
-/// then differs, until it holds: the largest set of registers that never change.
+/// Folds with the largest set of registers that never change. It first assumes that every register keeps its power-up
+/// value. It then drops the assumption for each register whose next value differs, until all remaining assumptions
+/// hold.
 pub fn fold_registers(module: &Module, ties: &Ties, instances: &BTreeMap<(u32, u32), u128>) -> Folded {
     let mut constant: Vec<bool> = vec![true; module.registers.len()];
     loop {

@@ -1,6 +1,6 @@
 //! The typed, hash-consed word graph: what every kernel becomes.
 //!
-//! Invariants, kept by [`Graph`]'s constructors and relied upon by everything downstream:
+//! The constructors of [`Graph`] keep these invariants, and everything downstream relies on them:
 //! - a node's operands have smaller ids than the node, so id order is an evaluation order;
 //! - two nodes of a graph never have the same operation, operands and width;
 //! - every width is between 1 and [`MAX_WIDTH`] bits, every value is below 2^width;
@@ -228,7 +228,7 @@ impl Graph {
         }
     }
 
-    /// The node as given, without simplification; an equal node is reused.
+    /// Adds the node as given, without simplification, or returns an equal node that exists.
     ///
     /// # Panics
     /// When the node breaks the width rules of [`Op`]: a mistake of the caller, never of a design.

@@ -7,8 +7,8 @@
 //! for all inputs; the others are compared on corner and random values of the kernel's inputs, instance
 //! outputs and registers, each taken as free.
 //!
-//! A kernel that relies on an invariant of its inputs (an index that never reaches the end) is reported too:
-//! the exported module cannot know it.
+//! The guard also reports a kernel that relies on an invariant of its inputs, such as an index that never reaches the
+//! end: the exported module cannot know the invariant.
 
 use std::collections::BTreeSet;
 

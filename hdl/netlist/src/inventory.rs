@@ -16,8 +16,8 @@ pub struct Inventory {
     pub name: String,
     /// Number of instances of each kind of module beneath the top, specialisations of a kind together.
     pub units: BTreeMap<String, u32>,
-    /// Registers on every path from an input to an output, if all have the same number: the latency in cycles.
-    /// Clock enables are no data. Absent too for designs with feedback or without data path.
+    /// Registers on every path from an input to an output, if all have the same number: the latency in cycles. Clock
+    /// enables do not count as data. The latency is also absent for designs with feedback or without a data path.
     pub latency_cycles: Option<u32>,
     /// Fewest and most registers between inputs and each output that depends on any; absent with feedback.
     pub output_latency_cycles: Option<BTreeMap<String, (u32, u32)>>,
@@ -158,11 +158,11 @@ fn latencies(flat: &Flat) -> Option<BTreeMap<String, (u32, u32)>> {
 }
 
 /// Fewest and most registers between the inputs and each node, by position in [`Flat::nodes`]; none for a node that
-/// depends on no input. `None` when a register depends on itself. Clock enables are no data.
+/// depends on no input. `None` when a register depends on itself. Clock enables do not count as data.
 #[must_use]
 pub fn register_depths(flat: &Flat) -> Option<Vec<Option<(u32, u32)>>> {
-    // A register may come before its data in position order, so this goes round until nothing changes; with more
-    // rounds than registers there is feedback.
+    // A register may come before its data in position order, so the loop repeats until nothing changes. If it takes
+    // more rounds than there are registers, the design has feedback.
     let mut registers: Vec<Option<(u32, u32)>> = vec![None; flat.registers.len()];
     for _ in 0..=flat.registers.len() {
         let mut nodes: Vec<Option<(u32, u32)>> = Vec::with_capacity(flat.nodes.len());

@@ -1,9 +1,9 @@
 //! Symbolic execution of a kernel: assignments become graph nodes, branches become multiplexers.
 //!
-//! A kernel runs top to bottom with blocking assignments, so a reassigned signal is a new value (static
-//! single assignment) and every read sees the latest one. Both branches of an `if` run on copies of the
-//! state, and what they leave different becomes a multiplexer; loops unroll. What the expressions mean is
-//! the [`Semantics`]: the kernel's own, or that of the Verilog which rust-hdl prints for it.
+//! A kernel runs top to bottom with blocking assignments, so a reassigned signal is a new value (static single
+//! assignment) and every read sees the latest one. Both branches of an `if` run on copies of the state, and each
+//! target that they leave different becomes a multiplexer. Loops unroll. [`Semantics`] says what the expressions
+//! mean: by the kernel's own rules, or by those of the Verilog that rust-hdl prints for it.
 
 use rust_hdl_core::ast::{VerilogBlock, VerilogExpression as Expr, VerilogStatement as Statement};
 

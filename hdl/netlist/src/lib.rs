@@ -1,22 +1,57 @@
-//! Elaboration: from a rust-hdl module to a typed word graph with the hierarchy kept.
+//! Elaboration: from a `rust-hdl` module to a typed word graph that keeps the hierarchy.
 //!
 //! ```text
 //!  module --probe--> scopes --signals, kernel--> templates --specialise--> Design --flatten--> Flat
 //!                      |                                                     |                  |
 //!                      +--guard (Rust's and Verilog's reading agree)         +--inventory       +--eval
 //!                                                                            +--mutate
-//!                                                                            +--crate::verilog
+//!                                                                            +--verilog
 //! ```
 //!
-//! [`elaborate`] is a pure function of the module: its syntax tree (`Logic::hdl`), its instance tree
-//! (`Block::accept`) and its constants. Everything else in this crate and the simulators is derived from the
-//! [`Design`] it returns. A block tells its kind by the first entry of `Logic::timing`; `dff` is a register with
-//! the ports named there (data, optional enable; output).
+//! [`elaborate`] is a pure function of the module: of its syntax tree (`Logic::hdl`), its instance tree (`Block::accept`) and its
+//! constants. Everything else in this crate and the simulators is derived from the [`Design`] that it returns. A block tells its
+//! kind by the first entry of `Logic::timing`. The kind `dff` is a register with the ports named there: data, an optional enable,
+//! and output.
 //!
-//! What a kernel may contain: assignments to locals, outputs, registers and instance inputs; `if`, `match`, `for`
-//! over constants; the operators of `Bits`, `Signed`, `bool`; `bit_cast`, `get_bit`, `get_bits`, `replace_bit`,
-//! `any`, `all`, `xor`; enums, struct fields, arrays of one dimension, interfaces and links. Words are at most
-//! [`MAX_WIDTH`] bits. One clock, no reset, no tristate.
+//! A kernel may contain assignments to locals, outputs, registers and instance inputs; `if`, `match`, and `for` over constants; the
+//! operators of `Bits`, `Signed` and `bool`; `bit_cast`, `get_bit`, `get_bits`, `replace_bit`, `any`, `all` and `xor`; enums, struct
+//! fields, arrays of one dimension, interfaces and links. Words are at most [`MAX_WIDTH`] bits wide. A design has one clock, no
+//! reset and no tristate.
+//!
+//! ```
+//! use netlist::{Evaluator, elaborate, flatten, verilog};
+//! use rust_hdl_core::prelude::*;
+//!
+//! #[derive(LogicBlock, Default)]
+//! struct Average {
+//!     a_i: Signal<In, Bits<8>>,
+//!     b_i: Signal<In, Bits<8>>,
+//!     mean_o: Signal<Out, Bits<8>>,
+//!     sum: Signal<Local, Bits<9>>,
+//! }
+//!
+//! impl Logic for Average {
+//!     #[hdl_gen]
+//!     fn update(&mut self) {
+//!         self.sum.next = bit_cast::<9, 8>(self.a_i.val()) + bit_cast::<9, 8>(self.b_i.val());
+//!         self.mean_o.next = self.sum.val().get_bits::<8>(1);
+//!     }
+//!
+//!     fn timing(&self) -> Vec<TimingInfo> {
+//!         netlist::module::named("average", "")
+//!     }
+//! }
+//!
+//! let mut module = Average::default();
+//! module.connect_all();
+//! let design = elaborate(&module, "average")?;
+//! assert!(verilog::text(&design).contains("module average"));
+//!
+//! let flat = flatten(&design)?;
+//! let mut simulation = Evaluator::new(&flat);
+//! assert_eq!(simulation.cycle(&[100, 201]), [150]);
+//! # Ok::<(), netlist::ElaborateError>(())
+//! ```
 
 mod compact;
 mod design;

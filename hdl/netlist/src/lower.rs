@@ -48,7 +48,7 @@ impl Templates {
 }
 
 /// What a block calls itself, and the values of its generics: its first timing entry is `kind parameters`. A block
-/// that says nothing is called by its field, without array position.
+/// without such an entry has the name of its field, without array position.
 pub fn kind_of(scope: &Scope) -> (String, String) {
     match &scope.timing {
         Some(timing) => {

@@ -56,7 +56,7 @@ pub enum Change {
     },
     /// A register passes its data through: one cycle less.
     Bypass,
-    /// It arrives one cycle later.
+    /// The value arrives one cycle later.
     Delay,
     /// A register ignores its clock enable.
     IgnoreEnable,

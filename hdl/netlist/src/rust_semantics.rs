@@ -60,7 +60,7 @@ impl Kernel<'_> {
             }
             Expr::Signed(inner) => {
                 let value = self.rust_value(inner, expected)?;
-                // A `Signed` of a `Signed` comes from `signed_bit_cast`, which the tree shows no width for.
+                // A `Signed` of a `Signed` comes from `signed_bit_cast`, whose width the tree does not show.
                 let node = match expected {
                     Some(width) if value.signed => self.graph.resize(value.node, width, true),
                     None if value.signed => {

@@ -1,8 +1,8 @@
 //! Waveforms: a netlist's simulation as a value change dump that GTKWave and Surfer open.
 //!
-//! Scopes are the instances, signals their ports, registers and locals under the names of the source. One clock cycle lasts
-//! [`CYCLE_NS`]: inputs change at its start, registers in its middle, with the rising edge. A signal that carries a code gets a
-//! second one beside it, `<name>_text`, whose values are words, if the caller has a [`Decode`] for it.
+//! Scopes are the instances, signals their ports, registers and locals under the names of the source. One clock cycle
+//! lasts [`CYCLE_NS`]: inputs change at its start, registers in its middle, with the rising edge. If the caller has a
+//! [`Decode`] for a signal that carries a code, a second signal beside it, `<name>_text`, has words as values.
 
 use std::io::{self, Write};
 

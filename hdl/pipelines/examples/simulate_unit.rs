@@ -1,4 +1,4 @@
-//! Simulates the floating-point adder in rust-hdl: `cargo run -p hdl --example simulate_unit`.
+//! Simulates the floating-point adder in rust-hdl: `cargo run -p dualsplit-pipelines --example simulate_unit`.
 
 use pipelines::formats::binary32::FpAdd;
 use units::clocking::Clocked;

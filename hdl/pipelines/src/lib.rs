@@ -1,4 +1,4 @@
-//! The traversal pipelines, each 8 cycles deep with one operation per cycle.
+//! The traversal pipelines. Each is 8 cycles deep and takes one operation per cycle.
 //!
 //! | module | operation | INTADD | FPADD | FPMUL | FPMIN/MAX | FPCMP |
 //! |---|---|---|---|---|---|---|
@@ -8,6 +8,20 @@
 //! | [`RayBoxPipeline`], `C = 1` | the same, without the redundant comparison | | 6 | 6 | 12 | 1 |
 //! | [`RayBoxParallel`] | `K` ray-box tests | | 6 K | 6 K | 12 K | 2 K |
 //! | [`SharedUnits`] | eight adders and multipliers, or one of the two | 1 | 8 | 8 | 15 | 6 |
+//!
+//! [`catalogue`] has every unit and pipeline by name. [`mod@formats`] has their types in each format, and [`words`] the words of
+//! headers and return values.
+//!
+//! ```
+//! use netlist::inventory;
+//! use pipelines::catalogue::{StandardFormat, Top};
+//!
+//! let design = Top::DualSplit.design(StandardFormat::Binary32)?;
+//! let inventory = inventory(&design)?;
+//! assert_eq!(inventory.latency_cycles, Some(8));
+//! assert_eq!((inventory.units["fp_add"], inventory.units["fp_mul"]), (2, 2));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod catalogue;
 mod dual_split;

@@ -1,4 +1,4 @@
-//! The arithmetic units, each with the latency of the published unit it stands for.
+//! The arithmetic units, each with the latency of the published unit that it stands for.
 //!
 //! | module | operation | latency (cycles) |
 //! |---|---|---|
@@ -8,8 +8,33 @@
 //! | [`FpCmp`] | less, less or equal, equal | 1 |
 //! | [`IntAdd`] | integer addition | 1 |
 //!
-//! What the results are bit for bit is stated by [`fp::Arithmetic`]. Addition and multiplication share their
-//! first layer, which splits a word into its fields, and their last one, the only rounder.
+//! [`fp::Arithmetic`] states the results bit for bit. Addition and multiplication share their first layer, which splits a word into
+//! its fields, and their last layer, the only rounder. [`blocks`] has registers and delays. [`clocking`] runs a module
+//! in `rust-hdl`'s own simulator.
+//!
+//! ```
+//! use netlist::{Evaluator, elaborate, flatten};
+//! use rust_hdl_core::prelude::Block;
+//!
+//! // Eight exponent and 24 significand bits: binary32.
+//! let mut adder = <units::fp_add!(8, 24)>::default();
+//! adder.connect_all();
+//! let adder = flatten(&elaborate(&adder, "adder")?)?;
+//!
+//! let mut simulation = Evaluator::new(&adder);
+//! let inputs = [("en_i", 1), ("a_i", f32::to_bits(1.5)), ("b_i", f32::to_bits(2.25))];
+//! for (name, value) in inputs {
+//!     simulation.set_input(adder.input(name).expect("a port of the adder"), value.into());
+//! }
+//! for _cycle in 0..2 {
+//!     simulation.settle();
+//!     simulation.clock();
+//! }
+//! simulation.settle();
+//! let sum = simulation.output(adder.output("result_o").expect("a port of the adder"));
+//! assert_eq!(sum, f32::to_bits(3.75).into());
+//! # Ok::<(), netlist::ElaborateError>(())
+//! ```
 
 pub mod blocks;
 pub mod clocking;

@@ -21,10 +21,9 @@ pub enum WriteError {
     },
 }
 
-/// Writes `path` through a temporary file in the same folder that is renamed when `contents` is done.
+/// Writes `path` through a temporary file in the same folder, and renames it when `contents` is done.
 ///
-/// An existing file is replaced only if `force` is set; this holds also for one that another program creates
-/// meanwhile.
+/// The function replaces an existing file only if `force` is set, even a file that another program creates meanwhile.
 ///
 /// # Errors
 /// [`WriteError::Exists`] without `force`, [`WriteError::Io`] for an error of the system or of `contents`.

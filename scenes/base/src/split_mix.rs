@@ -5,7 +5,7 @@
 /// The step of the generator's counter, the odd number nearest to 2^64 over the golden ratio.
 pub const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// The mixing function: a bijection of 64-bit integers that leaves zero alone.
+/// The mixing function: a bijection of 64-bit integers that maps zero to zero.
 #[must_use]
 pub const fn mix(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

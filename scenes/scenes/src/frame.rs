@@ -1,4 +1,4 @@
-//! A view and a light for geometry that comes without.
+//! A view and a light for geometry that has none.
 
 use crate::mesh::{Bounds, Camera, PointLight};
 

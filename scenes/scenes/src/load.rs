@@ -1,4 +1,4 @@
-//! From what a user names to a scene.
+//! Loads the scene that a user names.
 
 use std::path::Path;
 
@@ -27,8 +27,9 @@ pub enum SceneError {
 }
 
 impl Scene {
-    /// The built-in scene called `scene`, at `detail` in (0, 1] with `seed`; or else the OBJ file at the path
-    /// `scene`, plain or xz-compressed, to which detail and seed do not apply, with a view of all of it.
+    /// Loads the built-in scene called `scene`, at `detail` in (0, 1] with `seed`. If no built-in scene has that
+    /// name, loads the OBJ file at the path `scene`, plain or xz-compressed, with a view of all of it. Detail and
+    /// seed do not apply to a file.
     ///
     /// # Errors
     /// [`SceneError`] says what to do about it.

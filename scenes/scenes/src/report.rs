@@ -1,4 +1,4 @@
-//! Counts of triangles that are kept although they add nothing to a picture.
+//! Counts of triangles that a mesh keeps although they add nothing to a picture.
 
 use crate::mesh::Mesh;
 

@@ -1,5 +1,5 @@
-//! Loads the public scenes in the folder `scenes` of `$DUALSPLIT_DATA` and compares their counts with those
-//! that other software found. Passes without a check if the variable is unset.
+//! Loads the public scenes in the folder `scenes` of `$DUALSPLIT_DATA` and compares their counts with those that
+//! other software found. If the variable is unset, the test passes without a check.
 
 use std::path::PathBuf;
 use std::time::Instant;

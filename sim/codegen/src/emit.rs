@@ -1,7 +1,8 @@
-//! Rust text of units, in terms of the operations on lanes of `compiled::lanes`.
+//! Rust text of units, in terms of the operations on lanes of `lanes::sets`.
 //!
-//! Every value is a `Bit`, a `Word` or a `Double` of the lane set that the text is included for, and never exceeds its
-//! width: where an operation may, it is masked, unless the greatest value that it can take says that it does not.
+//! Every value is a `Bit`, a `Word` or a `Double` of the lane set that the text is included for, and never exceeds
+//! its width. The text masks the result of an operation that may exceed its width, unless the greatest value that the
+//! result can take shows that it does not.
 
 use super::schedule::operands;
 use super::unit::{Kind, Place, Slot, Source};
@@ -25,9 +26,9 @@ impl<'u> Emitter<'u> {
         Self { graph, sources, greatest: greatest(graph), done: BTreeSet::new(), text: String::new() }
     }
 
-    /// Makes the value of `id` available under its [`name`](Self::name).
+    /// Writes text after which the value of `id` is available under its [`name`](Self::name).
     pub fn value(&mut self, id: NodeId) {
-        // Depth first with a stack of its own: operands before users, each once.
+        // The walk is depth first with a stack of its own: operands before users, each once.
         let mut stack = vec![(id, false)];
         while let Some((id, ready)) = stack.pop() {
             if self.done.contains(&id) || self.graph.constant_value(id).is_some() {
@@ -175,8 +176,8 @@ impl<'u> Emitter<'u> {
         }
     }
 
-    /// A choice. Where the condition says that the first value needs no mask, it is computed without; where one bit is the
-    /// other with something added to it, that is added if chosen.
+    /// A choice. If the condition implies that the first value needs no mask, the text leaves the mask out. If one
+    /// bit is the other bit with something added to it, the text adds that only if it is chosen.
     fn mux(&self, kind: Kind, select: NodeId, when_true: NodeId, when_false: NodeId) -> String {
         let (s, f) = (self.name(select), self.name(when_false));
         if kind == Kind::Bit {
@@ -339,7 +340,7 @@ fn greatest(graph: &Graph) -> Vec<u128> {
             _ => None,
         };
         let all = mask(node.width);
-        // A sum or product beyond the width wraps around, and may then be anything.
+        // A sum or product beyond the width wraps around; the result may then be any value.
         most.push(
             bound
                 .filter(|bound| *bound <= all || matches!(node.op, Op::Slice { .. }))

@@ -1,6 +1,6 @@
-//! A pipeline as a function: what its outputs show once its inputs have been held, enabled, for as long as it takes.
+//! A pipeline as a function: the outputs that it shows after its inputs have been held and enabled for the latency.
 //!
-//! A register that is always enabled shows, after enough cycles of constant inputs, what its data shows. Where no
+//! After enough cycles of constant inputs, a register that is always enabled holds the value of its data. Where no
 //! register depends on itself, all outputs therefore settle to the logic with every register replaced by its data.
 
 use super::unit::ENABLE;

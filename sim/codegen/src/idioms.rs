@@ -1,15 +1,15 @@
-//! Ways of writing that the processor has one instruction for: shifts row by row, and the search for the leading one.
+//! Shapes for which the processor has one instruction: shifts row by row, and the search for the leading one.
 //!
-//! The language has neither shifts by signals that cost little nor a count of leading zeros, so that the units are
-//! written as rows of multiplexers. A row that fits the following shapes is recognised in the word graph; what it computes
-//! is then exactly what is put in its place, for all values.
+//! The language has neither cheap shifts by signals nor a count of leading zeros, so the units are written as rows of
+//! multiplexers. This module recognises rows of the following shapes in the word graph. The instruction that replaces
+//! a row computes exactly the same for all values.
 //!
 //! * *Shift right*: `v[i+1] = a[i] ? v[i] >> 2^i : v[i]` from `i = 0` upwards gives `v[0] >> a`.
 //! * *Lost bits*: `s[i+1] = a[i] ? s[i] | any(v[i] & (2^2^i - 1)) : s[i]` beside it gives `(v[0] >> a) << a != v[0]`.
 //! * *Normalise*: `c = v < 2^(w-d)`, `v' = c ? v << d : v`, `n' = c ? n + d : n` for `d = 2^j` down to 1 gives
 //!   `z = min(leading zeros of v, 2^(j+1) - 1)`, `v << z` and `n + z`. With a budget, `c = v < 2^(w-d) & d <= b` and
-//!   `b' = c ? b - d : b`, it gives the same with `z = min(that, b)`, and `b - z`: a power of two is taken off while
-//!   both are at least as large, which takes off the binary digits of the lesser.
+//!   `b' = c ? b - d : b`, it gives the same with `z = min(that, b)`, and `b - z`: each row takes off a power of two
+//!   while both are at least as large, so the rows take off the binary digits of the lesser.
 
 use super::unit::Kind;
 use netlist::{BinaryOp, Graph, NodeId, Op, UnaryOp, mask};
@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 pub enum Idiom {
     /// `value >> amount[bits-1:0]`.
     ShiftRight(Shift),
-    /// Whether that loses any bit that is set.
+    /// Whether that shift loses any bit that is set.
     Lost(Shift),
     /// `value << zeros`.
     Normalised(Zeros),
@@ -46,7 +46,7 @@ pub struct Zeros {
     pub budget: Option<NodeId>,
 }
 
-/// The nodes of a module that are more than what their operation says.
+/// The nodes of a module that end a recognised shape, with the shape.
 pub fn find(graph: &Graph) -> BTreeMap<NodeId, Idiom> {
     let mut finder =
         Finder { graph, shifts: BTreeMap::new(), rows: BTreeMap::new(), counts: BTreeMap::new() };
@@ -59,7 +59,7 @@ pub fn find(graph: &Graph) -> BTreeMap<NodeId, Idiom> {
     found
 }
 
-/// A row of the search for the leading one, by which the value or a number beside it goes on.
+/// A row of the search for the leading one, which shifts the value or counts beside it.
 #[derive(Clone, Copy)]
 struct Row {
     zeros: Zeros,
@@ -84,7 +84,7 @@ impl Finder<'_> {
         let shift = self.shift_right(id).map(Idiom::ShiftRight).or_else(|| self.lost(id).map(Idiom::Lost));
         if let Some(idiom) = shift {
             self.shifts.insert(id, idiom);
-            // One row is a multiplexer as good as any.
+            // A single row stays a multiplexer, which costs no more.
             let (Idiom::ShiftRight(shift) | Idiom::Lost(shift)) = idiom else { return None };
             return (shift.bits > 1).then_some(idiom);
         }
@@ -254,7 +254,7 @@ impl Finder<'_> {
         }
     }
 
-    /// The value of which a bit says whether it loses anything in a row.
+    /// The value for which a bit says whether a row loses anything of it.
     fn low_bits_of(&self, bit: NodeId, row: u32) -> Option<NodeId> {
         let Op::Unary(UnaryOp::ReduceOr, bits) = self.graph.op(bit) else { return None };
         let (width, distance) = (self.graph.width(bits), self.distance(row));
@@ -273,7 +273,7 @@ impl Finder<'_> {
         }
     }
 
-    /// How far a row shifts, which is far enough where it is too far.
+    /// How far a row shifts; a distance beyond the width is cut off, as it gives the same.
     fn distance(&self, row: u32) -> u32 {
         1 << row.min(16)
     }

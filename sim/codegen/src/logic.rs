@@ -40,7 +40,7 @@ impl<'b> LogicBuilder<'b> {
             for ((slot, &node), port) in units[child.unit].inputs.iter().zip(inputs).zip(&module.inputs) {
                 let value = self.value(parent, node);
                 if self.tied.is_some() && port.name == ENABLE {
-                    // The unit inside is stepped by its version that does not look.
+                    // The unit inside steps by its version that does not look at the enable.
                     assert_eq!(self.logic.graph.constant_value(value), Some(1), "one clock enable for all");
                 } else {
                     self.logic.sinks.push(Sink { slot: slot.inside(child.place), value });
@@ -74,7 +74,7 @@ impl<'b> LogicBuilder<'b> {
         })
     }
 
-    /// The value of a node that is more than what its operation says.
+    /// The value of a node that ends a recognised shape.
     fn idiom(&mut self, path: &[u32], idiom: Idiom) -> NodeId {
         match idiom {
             Idiom::ShiftRight(shift) => {

@@ -74,7 +74,8 @@ impl Programs {
         save(folder, &format!("{stem}.rs"), &self.table(key_type));
     }
 
-    /// The functions that take a unit from one cycle to the next: with any clock enable, and where all lanes are enabled.
+    /// The functions that take a unit from one cycle to the next: one for any clock enable, and one for cycles in
+    /// which all lanes are enabled.
     fn steps(&self, unit: &Unit, name: &str, attribute: &str) -> String {
         let any = self.step(unit, &unit.logic, name, attribute, |_, name| name.to_owned());
         let enabled = unit.enabled.as_ref().map(|logic| {

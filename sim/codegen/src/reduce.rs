@@ -1,12 +1,12 @@
-//! Reductions put off: `any(x) | any(y)` becomes `any(x | y)`, and a choice whether to add to such a sum likewise.
+//! Postpones reductions: `any(x) | any(y)` becomes `any(x | y)`, and likewise a choice whether to add to such a sum.
 //!
-//! A sticky bit that a shifter collects row by row is otherwise a comparison in each row, and comparisons are the
+//! Otherwise a sticky bit that a shifter collects row by row takes a comparison in each row, and comparisons are the
 //! costliest operations on lanes.
 
 use super::unit::Kind;
 use netlist::{BinaryOp, Graph, NodeId, Op, UnaryOp};
 
-/// The graph with its reductions put off, and where each of its nodes has gone.
+/// The graph with its reductions postponed, and the new id of each old node.
 pub fn put_off(graph: &Graph) -> (Graph, Vec<NodeId>) {
     let mut pass = Graph::default();
     let mut map: Vec<NodeId> = Vec::with_capacity(graph.nodes().len());
@@ -29,8 +29,8 @@ pub fn put_off(graph: &Graph) -> (Graph, Vec<NodeId>) {
     (pass, map)
 }
 
-/// For two bits that say whether words have any bit set, those words, in one width. One of the bits may also be such a
-/// bit under a condition.
+/// For two bits that are reductions of words, the two words in one width. One of the bits may also be a reduction
+/// under a condition.
 fn words(graph: &mut Graph, a: NodeId, b: NodeId) -> Option<(NodeId, NodeId)> {
     let (x, y) = match (reduced(graph, a), reduced(graph, b)) {
         (Some(x), Some(y)) => (x, y),
@@ -52,7 +52,7 @@ fn reduced(graph: &Graph, bit: NodeId) -> Option<NodeId> {
     (Kind::of(graph.width(word)) == Kind::Word).then_some(word)
 }
 
-/// The same for a reduction that counts only if another bit is set: the word is then zero if it is not.
+/// The same for a reduction that counts only if another bit is set. The word is zero if that bit is not set.
 fn reduced_if(graph: &mut Graph, bit: NodeId) -> Option<NodeId> {
     let Op::Binary(BinaryOp::And, a, b) = graph.op(bit) else { return None };
     let (condition, word) = match (reduced(graph, a), reduced(graph, b)) {

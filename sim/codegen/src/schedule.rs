@@ -4,7 +4,7 @@ use super::unit::{Logic, Sink, Slot, Source};
 use netlist::{Graph, NodeId, Op};
 use std::collections::BTreeSet;
 
-/// The sinks in an order in which each may be stored as soon as it is computed: after all others that read it.
+/// The sinks in an order in which each may be stored as soon as it is computed: after all sinks that read it.
 /// Registers that read each other in a circle come last, and are stored after all are computed.
 pub fn schedule(logic: &Logic) -> (Vec<&Sink>, Vec<&Sink>) {
     let cones: Vec<BTreeSet<Slot>> = logic.sinks.iter().map(|sink| cone(logic, sink.value)).collect();
@@ -37,7 +37,7 @@ fn cone(logic: &Logic, root: NodeId) -> BTreeSet<Slot> {
     slots
 }
 
-/// What a node needs.
+/// The operands of a node.
 pub fn operands(graph: &Graph, sources: &[Source], id: NodeId) -> Vec<NodeId> {
     match graph.op(id) {
         Op::Input(source) => match sources[source as usize] {

@@ -1,8 +1,8 @@
-//! From a design's modules to units: what becomes one function each.
+//! From a design's modules to units, each of which becomes a function.
 //!
 //! A module becomes a unit of its own if its outputs depend on its registers alone (a Moore machine) and it is large
-//! enough; any other instance dissolves in the unit around it. Since a unit's outputs are known from its registers, a
-//! unit reads those of the units inside it, computes their inputs, and lets them step after that, in any order.
+//! enough. Any other instance dissolves in the unit around it. A unit's outputs are known from its registers. A unit
+//! therefore reads the outputs of the units inside it, computes their inputs, and then lets them step, in any order.
 //!
 //! A unit's memory is its inputs, its registers, then the memory of each unit inside it.
 //!
@@ -16,8 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Operations below which a Moore module is not worth a function of its own.
 const MIN_OPERATIONS: usize = 40;
 
-/// The same for a module that is used once, so that nothing is shared: only what is too large to be part of another
-/// function without its values leaving the processor's registers.
+/// The same for a module that is used once, and therefore shares nothing. Beyond this size, the values of a function
+/// that held the module would not fit the processor's registers.
 const MIN_OPERATIONS_USED_ONCE: usize = 200;
 
 /// Input that enables the clock of every module here.
@@ -46,7 +46,7 @@ impl Kind {
     }
 }
 
-/// Where a value is in a memory of rows and of bits, whichever its kind says.
+/// A place in a memory of rows and of bits. The kind of a value says which of the two counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     pub row: usize,
@@ -58,7 +58,7 @@ impl Place {
         Self { row: self.row + other.row, bit: self.bit + other.bit }
     }
 
-    /// Takes room for a value from here on.
+    /// Reserves room for a value, and moves on behind it.
     pub fn take(&mut self, width: u32) -> Slot {
         let slot = Slot { width, place: *self };
         match Kind::of(width) {
@@ -100,7 +100,7 @@ pub struct Child {
 /// A value that is no operation of the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Source {
-    /// What is read from memory.
+    /// A value that is read from memory.
     Memory(Slot),
     /// The number of zeros above the leading one of a node of the graph, or `most` if that is less.
     LeadingZeros { of: NodeId, most: u32 },
@@ -113,11 +113,11 @@ pub struct Logic {
     pub graph: Graph,
     pub sources: Vec<Source>,
     pub sinks: Vec<Sink>,
-    /// What the outputs show; for a top only.
+    /// The values of the outputs; for a top only.
     pub outputs: Vec<NodeId>,
 }
 
-/// What becomes a function, or two.
+/// A part of a design that becomes one function, or two.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Unit {
     pub inputs: Vec<Slot>,

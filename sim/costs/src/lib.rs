@@ -1,13 +1,21 @@
 //! Area and energy of single execution units at 65 nm and 1 GHz, as published.
 //!
-//! The paper's figures are sums of this table: ray-box 6 FPADD + 6 FPMUL + 14 FPMIN/CMP + 1 INTADD = 0.1278 mm2 and
-//! 0.1377 nJ. Such sums hold no pipeline registers, clock or wires. The table is that of the public TRaX simulator
-//! SimTRaX (Utah Hardware Ray Tracing group, `sim/ReadConfig.cc`), on which the paper was measured: Lin, Vasiou,
-//! Yuksel, Kopta, Brunvand, "Hardware-Accelerated Dual-Split Trees", HPG 2020, doi:10.1145/3406185.
+//! The paper's figures are sums of this table: ray-box 6 FPADD + 6 FPMUL + 14 FPMIN/CMP + 1 INTADD = 0.1278 mm2 and 0.1377 nJ. Such
+//! sums hold no pipeline registers, clock or wires. The table is that of the public TRaX simulator SimTRaX (Utah Hardware Ray Tracing
+//! group, `sim/ReadConfig.cc`), on which the paper was measured: Lin, Vasiou, Yuksel, Kopta, Brunvand, "Hardware-Accelerated Dual-Split
+//! Trees", HPG 2020, doi:10.1145/3406185.
+//!
+//! ```
+//! use costs::Unit;
+//!
+//! let units = [(Unit::FpAdd, 6), (Unit::FpMul, 6), (Unit::FpMinMax, 12), (Unit::FpCmp, 2), (Unit::IntAdd, 1)];
+//! let area_um2: f64 = units.iter().map(|(unit, count)| f64::from(*count) * unit.published().area_um2).sum();
+//! assert_eq!((area_um2 / 100.0).round(), 1278.0);
+//! ```
 
 use std::collections::BTreeMap;
 
-/// Where the numbers of [`UnitCost`] are from.
+/// The source of the numbers of [`UnitCost`].
 pub const SOURCE: &str = "published unit table of SimTRaX (65 nm, 1 GHz)";
 
 /// An execution unit of a thread multiprocessor.
@@ -94,7 +102,7 @@ impl Unit {
         UnitCost { area_um2, energy_pj, latency_cycles }
     }
 
-    /// The unit that the module of this kind is, by the name of the kind in an elaborated inventory.
+    /// The unit that a module is, by the name of its kind in an elaborated inventory.
     #[must_use]
     pub fn of_module(kind: &str) -> Option<Self> {
         Some(match kind {
@@ -119,16 +127,16 @@ pub struct PipelineCost {
     pub glue_area_um2: f64,
     /// The part of the energy that is glue.
     pub glue_energy_pj: f64,
-    /// Where the numbers come from.
+    /// The source of the numbers.
     pub source: String,
 }
 
-/// A pipeline of a multiprocessor as data: what a model of the machine has to know of it.
+/// A pipeline of a multiprocessor, as the data that a model of the machine needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pipeline {
     /// Name of the module.
     pub name: String,
-    /// Execution units that it consists of.
+    /// Execution units of the pipeline.
     pub units: BTreeMap<Unit, u32>,
     /// Cycles from operands to results.
     pub latency_cycles: u32,

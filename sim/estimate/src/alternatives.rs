@@ -17,11 +17,11 @@ pub struct Alternative {
     pub question: &'static str,
     /// The answer.
     pub answer: String,
-    /// Whether it is the one built.
+    /// Whether the pipeline is built this way.
     pub built: bool,
     /// Its cost.
     pub gate_equivalents: f64,
-    /// What it changes in the energy of an operation, in femtojoules, where that was measured.
+    /// Its change of the energy of an operation in femtojoules, where that was measured.
     pub energy_fj: Option<f64>,
 }
 
@@ -132,7 +132,8 @@ pub fn alternatives(
     let question = "operands of bare leaves";
     let whole = built.energy(&workload.streams(built)?).zero_delay.logic();
     add(question, "as they come", true, 0.0, Some(0.0));
-    // Held operands: units do not change for a leaf; at best that saves all of a leaf's energy in them.
+    // If the operands are held, the units do not change for a leaf. At best that saves all of a leaf's energy in the
+    // units.
     let nodes = workload.nodes.iter().map(|case| NodeType::of(case.words[0]));
     let leaves = nodes.filter(|&node| node == NodeType::Leaf).count() as f64 / workload.nodes.len() as f64;
     let held = 4.0 * 32.0 * gates(and_gate, library)?;

@@ -1,4 +1,4 @@
-//! A quantity by what has it.
+//! A quantity, divided among the parts of a pipeline.
 
 use std::collections::BTreeMap;
 
@@ -13,11 +13,11 @@ pub struct Breakdown {
     pub units: BTreeMap<Unit, f64>,
     /// Combinational gates between them.
     pub glue: f64,
-    /// Flip-flops; of energy, what their outputs' changes cost.
+    /// Flip-flops. Their energy is that of the changes of their outputs.
     pub registers: f64,
-    /// Clock gates; of energy, all that a clock cycle costs without a change.
+    /// Clock gates. Their energy is that of a clock cycle without a change.
     pub clock: f64,
-    /// Nets of the inputs, which a driver outside pays for; no area.
+    /// Nets of the inputs, which a driver outside pays for. They have no area.
     pub inputs: f64,
 }
 
@@ -34,13 +34,13 @@ impl Breakdown {
         self.all_units() + self.glue
     }
 
-    /// Everything.
+    /// The sum of all parts.
     #[must_use]
     pub fn total(&self) -> f64 {
         self.logic() + self.registers + self.clock + self.inputs
     }
 
-    /// Everything times a factor.
+    /// All parts times a factor.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         Self {

@@ -40,7 +40,7 @@ pub struct Implementation<'l> {
     pub mapped: Mapped,
     /// Their timing.
     pub timing: Timing,
-    /// What they are cells of.
+    /// The library of the cells.
     pub library: &'l Library,
     units: Vec<Option<(ScopeId, Unit)>>,
 }
@@ -65,7 +65,7 @@ pub struct EnergyReport {
 pub struct ModuleRow {
     /// The kind.
     pub module: String,
-    /// How many there are.
+    /// Number of instances.
     pub instances: usize,
     /// Combinational cells.
     pub cells: usize,
@@ -75,14 +75,14 @@ pub struct ModuleRow {
     pub registers: usize,
     /// Their area.
     pub register_area_um2: f64,
-    /// When the last output of these cells is there, after the clock edge or the inputs.
+    /// Arrival time of the last output of these cells after the clock edge or the inputs.
     pub latest_ns: f64,
     /// Most cells in a row, counted from registers and inputs.
     pub levels: u32,
 }
 
 impl<'l> Implementation<'l> {
-    /// Maps a pipeline to a library and makes it as fast as sizing does.
+    /// Maps a pipeline to a library, and makes it as fast as sizing can.
     ///
     /// # Errors
     /// [`EstimateError`] for tops that are no pipeline, or when the library lacks a cell.
@@ -158,7 +158,7 @@ impl<'l> Implementation<'l> {
         gates + self.mapped.registers.len() as f64 * self.library.flip_flop.leakage_nw
     }
 
-    /// Energy of an operation of a stream without glitches, and the operations that it is the mean of; see
+    /// Energy of an operation of a stream without glitches, and the number of operations in the mean; see
     /// [`Implementation::energy`].
     #[must_use]
     pub fn zero_delay_energy(&self, stream: &[Vec<u128>]) -> (Breakdown, u64) {
@@ -176,7 +176,8 @@ impl<'l> Implementation<'l> {
         (self.spread(&energy), activity.cycles)
     }
 
-    /// Energy of an operation of a stream, which has the values of all inputs in each cycle, an operation each.
+    /// Energy of an operation of a stream. The stream has the values of all inputs in each cycle, and an operation in
+    /// each cycle.
     #[must_use]
     pub fn energy(&self, stream: &[Vec<u128>]) -> EnergyReport {
         let (zero_delay, operations) = self.zero_delay_energy(stream);
@@ -208,7 +209,7 @@ impl<'l> Implementation<'l> {
         }
     }
 
-    /// Energy of an operation by the changes of each net in so many.
+    /// Energy of an operation, from the changes of each net in `operations` operations.
     fn with_changes(&self, changes: &[u64], operations: u64) -> Breakdown {
         let by_net = |net: u32| changes[net as usize] as f64 / operations.max(1) as f64;
         self.spread(&energy::energy(&self.mapped, self.library, &self.timing, by_net))

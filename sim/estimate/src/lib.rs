@@ -1,8 +1,25 @@
-//! Area and energy of the pipelines, each number with where it comes from.
+//! Area and energy of the pipelines, each number with its source.
 //!
-//! Three methods: published unit costs on our counts with our own glue logic; our netlist in a library; our netlist
-//! scaled to 65 nm. *Units* are the combinational gates of execution units, *glue* those around them: selection, offset
-//! and return logic. Registers, clock and input nets have rows of their own: the published sums hold none of them.
+//! There are three methods: published unit costs on our counts with our own glue logic; our netlist in a library; our netlist scaled
+//! to 65 nm. *Units* are the combinational gates of execution units. *Glue* is the logic around them: selection, offset and return
+//! value. Registers, clock and input nets have rows of their own, because the published sums hold none of them.
+//!
+//! [`pipeline_cost`] gives the cost of a pipeline, [`Implementation`] a mapped netlist with its areas, delays and energies, and
+//! [`Workload`] the operations that the energy is measured on.
+//!
+//! ```
+//! use estimate::{PaperFigures, Scaling, embedded_library};
+//! use pipelines::catalogue::Top;
+//!
+//! // The glue is what the paper's area holds beyond its units.
+//! let paper = PaperFigures::of(Top::DualSplit)?;
+//! assert_eq!((paper.area_um2, paper.glue_area_um2.round()), (49_800.0, 5_086.0));
+//!
+//! // The embedded library is of 130 nm: at 65 nm, its areas shrink to 0.23 times.
+//! let scaling = Scaling::of(embedded_library()).expect("the node is known");
+//! assert_eq!((scaling.node_nm, scaling.area), (130, 0.23));
+//! # Ok::<(), estimate::EstimateError>(())
+//! ```
 
 mod alternatives;
 mod breakdown;

@@ -16,9 +16,9 @@ pub struct PaperFigures {
     pub energy_pj: f64,
     /// Cycles from operands to result.
     pub latency_cycles: u32,
-    /// What the area holds beyond the published costs of the units.
+    /// The part of the area beyond the published costs of the units.
     pub glue_area_um2: f64,
-    /// What the energy holds beyond the published costs of the units.
+    /// The part of the energy beyond the published costs of the units.
     pub glue_energy_pj: f64,
 }
 

@@ -11,9 +11,9 @@ pub const TARGET_NODE_NM: u32 = 65;
 pub const TARGET_VOLTAGE_V: f64 = 1.1;
 /// Supply voltages that may have been meant: the ends of the energy's error bar.
 const TARGET_VOLTAGES_V: [f64; 2] = [1.0, 1.2];
-/// Area of one netlist in three open libraries, scaled, differs by this much either way.
+/// The scaled areas of one netlist in three open libraries differ by this fraction either way.
 pub const AREA_ERROR: f64 = 0.3;
-/// Energy of one netlist in three open libraries, scaled, differs by this factor from least to most.
+/// The scaled energies of one netlist in three open libraries differ by this factor from least to most.
 pub const ENERGY_ERROR_FACTOR: f64 = 4.0;
 
 /// Factors from a library's technology to 65 nm.
@@ -64,7 +64,7 @@ impl Scaling {
         })
     }
 
-    /// Where a scaled number comes from, with its error bar.
+    /// The source of a scaled number, with its error bar.
     #[must_use]
     pub fn source(&self) -> String {
         format!(

@@ -20,9 +20,9 @@ use super::{EstimateError, Implementation};
 
 /// Width and height of the picture whose rays are taken, in pixels.
 const PICTURE_SIZE: u32 = 12;
-/// Operations kept of each pipeline.
+/// Operations that a workload keeps for each pipeline.
 const OPERATIONS: usize = 64 * 250;
-/// The scene of estimates that name none, and the fraction of its triangles.
+/// The scene of estimates that name no scene, and the fraction of its triangles.
 const BUILT_IN: (&str, f64) = ("courtyard", 0.01);
 
 /// The type of a dual-split node.
@@ -92,10 +92,10 @@ impl Traversal for Boxes<'_> {
 }
 
 impl Workload {
-    /// The operations of path tracing a small picture of a scene, thinned out evenly by rays.
+    /// The operations of path tracing a small picture of a scene, of a sample of rays that is spread evenly.
     ///
     /// # Errors
-    /// [`EstimateError::Scene`] when no tree can be built over the scene, or nothing is met.
+    /// [`EstimateError::Scene`] when no tree can be built over the scene, or no ray meets a node.
     pub fn new(scene: &Scene, quality: Quality) -> Result<Self, EstimateError> {
         let failed = |error: &dyn std::fmt::Display| EstimateError::Scene(format!("{}: {error}", scene.name));
         let tree = build(&scene.mesh, &BuildOptions::new(quality)).map_err(|error| failed(&error))?;
@@ -110,7 +110,7 @@ impl Workload {
             .collect();
         let boxes = RefCell::new(Vec::new());
         let mut nodes = Vec::new();
-        // Every ray of a sample that is spread over all waves, until there are enough operations.
+        // The loop takes every ray of a sample that is spread over all waves, until there are enough operations.
         let step = (rays.len() / 400).max(1);
         for first in 0..step {
             for ray in rays.iter().skip(first).step_by(step) {
@@ -134,7 +134,7 @@ impl Workload {
     /// The operations of a built-in scene.
     ///
     /// # Errors
-    /// None that a test would not show.
+    /// The errors of [`Workload::new`]. A test shows that the built-in scene has none.
     pub fn built_in() -> Result<Self, EstimateError> {
         let (name, detail) = BUILT_IN;
         let scene = Scene::load(name, detail, 0).map_err(|error| EstimateError::Scene(error.to_string()))?;
@@ -155,7 +155,7 @@ impl Workload {
         })
     }
 
-    /// The operations of some types of node alone.
+    /// Only the operations of some types of node.
     #[must_use]
     pub fn nodes_of(
         &self,

@@ -1,6 +1,6 @@
 //! The and-inverter graph: two-input ANDs with complemented edges, structurally hashed.
 //!
-//! Invariants, relied upon by every user of the graph:
+//! Every user of the graph relies on these invariants:
 //! - node 0 is the constant false; a node's operands have smaller numbers than the node;
 //! - no AND has a constant operand, or twice the same node, and no two ANDs of a [region](Origin) are alike.
 
@@ -214,7 +214,7 @@ impl Aig {
         lit
     }
 
-    /// Says what a latch takes at a clock edge.
+    /// Sets the data and the enable of a latch.
     pub fn drive_latch(&mut self, latch: usize, data: Lit, enable: Lit) {
         let latch = &mut self.latches[latch];
         (latch.data, latch.enable) = (data, enable);
@@ -286,8 +286,8 @@ impl Aig {
         self.mux(enable, data, lit)
     }
 
-    /// Puts a multiplexer before every latch with an enable, which is then always enabled: for libraries without clock
-    /// gates.
+    /// Puts a multiplexer before every latch with an enable, and then enables the latch always: for libraries without
+    /// clock gates.
     pub fn multiplex_enables(&mut self) {
         for latch in 0..self.latches.len() {
             let next = self.next_state(latch);

@@ -26,9 +26,9 @@ pub struct Cut {
     pub result: &'static str,
 }
 
-/// The multiplier arrays: what a proof cannot look into.
+/// The multiplier arrays, which a proof cannot look into.
 pub const ARRAYS: &[Cut] = &[ARRAY];
-/// The adders and multipliers of a pipeline: what is around them is its control.
+/// The adders and multipliers of a pipeline; the rest is its control.
 pub const ARITHMETIC: &[Cut] =
     &[Cut { kind: "fp_add", result: "result_o" }, Cut { kind: "fp_mul", result: "result_o" }];
 
@@ -47,7 +47,7 @@ pub struct Options {
     pub keep_units: bool,
 }
 
-/// Narrowest words whose choice is worth conditions of its own.
+/// Narrowest words for which a choice gets conditions of its own.
 const LEAST_CHOICE_WIDTH: u32 = 8;
 
 /// A flattened netlist as gates.
@@ -90,7 +90,7 @@ pub fn blast(design: &Design, flat: &Flat, options: Options) -> Blasted {
     Blaster::new(design, flat, options).run()
 }
 
-/// A result that is not made of the operations in the graph.
+/// A result that is made otherwise than by the operations in the graph.
 #[derive(Clone, Copy)]
 struct Product {
     operands: [NodeId; 2],
@@ -104,7 +104,7 @@ struct Blaster<'n> {
     options: Options,
     /// Region of each instance.
     regions: Vec<u32>,
-    /// Multiplexers whose only use is to be one of the words that another one chooses among.
+    /// Multiplexers that are used once only, as a word among which another multiplexer chooses.
     is_inside_choice: Vec<bool>,
     /// For a node that carries the result of a module that is cut or an array: the operands' nodes and the instance.
     products: Vec<Option<Product>>,
@@ -186,7 +186,7 @@ impl<'n> Blaster<'n> {
             let word = match (self.products[position], node.op) {
                 (Some(product), _) => self.product(node.width, product, &mut cuts),
                 (None, Op::Register(_)) => continue,
-                // Part of a longer choice that is made at its end.
+                // Part of a longer choice, which is made where the choice ends.
                 (None, Op::Mux { .. }) if self.is_inside_choice[position] => continue,
                 (None, Op::Mux { .. }) => self.choice(position),
                 (None, _) => self.node(node),
@@ -209,7 +209,7 @@ impl<'n> Blaster<'n> {
             }
             self.blasted.outputs.push(word);
         }
-        // The operands of a result that is a register come later than it.
+        // If the result is a register, its operands come later than it.
         for product in cuts {
             let path = self.flat.scopes[product.scope as usize].path.clone();
             for (name, operand) in [("a_i", product.operands[0]), ("b_i", product.operands[1])] {

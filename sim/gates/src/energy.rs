@@ -46,7 +46,7 @@ pub fn activity(aig: &Aig, inputs: &[Vec<Lit>], streams: &[Vec<Vec<u128>>], skip
     Activity { changes, cycles }
 }
 
-/// Energy of a cycle, by who spends it.
+/// Energy of a cycle, by the part that spends it.
 #[derive(Clone, Debug, Default)]
 pub struct Energy {
     /// Of each gate: its load and its inside.

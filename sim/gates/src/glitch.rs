@@ -27,7 +27,8 @@ pub fn changes(
     skip: usize,
 ) -> (Vec<u64>, u64) {
     let mut simulation = Events::new(mapped, library, timing);
-    // Values at the begin of each cycle come from the graph: after every change has gone through, both agree.
+    // The values at the beginning of each cycle come from the graph. After every change has gone through, graph and
+    // gates agree.
     let mut settled = Simulator::<1>::new(aig);
     let mut counts = vec![0u64; mapped.nets];
     for (cycle, words) in stream.iter().enumerate() {
@@ -108,7 +109,7 @@ impl<'m> Events<'m> {
     fn run(&mut self, mut changed: impl FnMut(u32)) {
         while let Some(Reverse((time, number, net))) = self.queue.pop() {
             let (value, last) = self.planned[net as usize];
-            // A later plan has taken the place of this one.
+            // A later event has replaced this one.
             if number != last || self.values[net as usize] == value {
                 continue;
             }
@@ -137,7 +138,7 @@ impl<'m> Events<'m> {
             return;
         }
         self.number += 1;
-        // Back to the present value before the pulse has come out: no pulse.
+        // If the output returns to its present value before the pulse comes out, there is no pulse.
         self.planned[output] = (value, self.number);
         if self.values[output] != value {
             self.queue.push(Reverse((time + delay.max(1), self.number, output as u32)));

@@ -3,7 +3,7 @@
 use super::aig::{Aig, Lit};
 use super::words::{Multiplier, Structures, add};
 
-/// Bits of equal weight with the depth at which each is there.
+/// Bits of equal weight, each with its depth.
 type Column = Vec<(u32, Lit)>;
 
 /// `a * b` modulo 2^width.

@@ -82,7 +82,7 @@ pub fn mux(aig: &mut Aig, select: Lit, when_true: &[Lit], when_false: &[Lit]) ->
     when_true.iter().zip(when_false).map(|(&t, &f)| aig.mux(select, t, f)).collect()
 }
 
-/// The word whose condition holds; one does, and no other. The words are joined `group` at a time.
+/// The word whose condition holds. Exactly one condition must hold. The words are joined `group` at a time.
 pub fn select_one(aig: &mut Aig, choices: &[(Lit, &[Lit])], group: usize) -> Vec<Lit> {
     let width = choices.first().map_or(0, |(_, word)| word.len());
     (0..width)

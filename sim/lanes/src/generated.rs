@@ -2,7 +2,7 @@
 
 /// Includes the functions and the table `PROGRAMS` that the build script has written under the name `$stem`.
 ///
-/// The text is regular, not idiomatic: a function takes the rows, bits and chunk that its like may need.
+/// The text is regular, not idiomatic: every function takes rows, bits and a chunk, whether it needs them or not.
 #[macro_export]
 macro_rules! include_programs {
     ($stem:literal) => {

@@ -1,9 +1,22 @@
-//! The compiled simulation: Rust functions that the build script has written for the tops of the catalogue.
+//! What compiled simulations run on: lanes, instruction sets and the memory of a program.
 //!
-//! A netlist's units (modules whose outputs come from registers, each once; see `sim/build/unit.rs`) are functions over
-//! the lanes of `lanes`. Within a cycle, a unit computes its registers' next values and the inputs of the units inside
-//! it from registers alone, and then lets those step: no order of evaluation has to be found, and nothing is computed twice.
-//! Registers lie in memory in the order of the hierarchy; values between them stay in the processor's registers.
+//! `codegen` turns each unit of a netlist (a module whose outputs come from registers) into one function over [`LANES`] lanes. Within a
+//! cycle, the function computes the next values of its registers and the inputs of the units inside it from registers alone. Then it
+//! lets those units step. So there is no order of evaluation to find, and nothing is computed twice. Registers lie in memory in the
+//! order of the hierarchy; values between them stay in the processor's registers.
+//!
+//! [`include_programs!`] includes what a build script has written. [`Compiled`] simulates [`LANES`] copies of a program with the
+//! fastest [`InstructionSet`] of the machine. The front page of the crate `compiled` shows a whole simulation.
+//!
+//! ```
+//! use lanes::InstructionSet;
+//!
+//! let best = InstructionSet::best();
+//! assert!(best.is_available());
+//! // Every machine can run the scalar functions, which give the same results.
+//! assert!(InstructionSet::Scalar.is_available());
+//! println!("simulations on this machine use {best}");
+//! ```
 
 mod generated;
 #[doc(hidden)]
@@ -21,7 +34,7 @@ pub enum InstructionSet {
     Avx512,
     /// AVX2.
     Avx2,
-    /// Those that every machine has.
+    /// Instructions that every machine has.
     Scalar,
 }
 
@@ -160,7 +173,7 @@ impl Compiled {
         Self::with_instructions(program, InstructionSet::best()).expect("the best set is available")
     }
 
-    /// The same with the instructions asked for, or none where the machine has not got them.
+    /// The same with the instructions of `set`, or `None` if the machine lacks them.
     #[must_use]
     pub fn with_instructions(program: &'static Program, set: InstructionSet) -> Option<Self> {
         let functions = match set {
@@ -232,8 +245,9 @@ impl Compiled {
         self.program.flush.is_some()
     }
 
-    /// Computes the outputs of one lane as they will be when its inputs have been held, with the clock enabled, for the
-    /// latency. Registers are neither read nor changed: this is the pipeline as a function, for one vector at a time.
+    /// Computes the outputs that one lane shows after its inputs have been held, with the clock enabled, for the
+    /// latency. The function neither reads nor changes registers: it is the pipeline as a function, for one vector at
+    /// a time.
     ///
     /// # Panics
     /// If the program has no such function ([`Compiled::has_flush`]), or there is no such lane.
@@ -327,7 +341,7 @@ impl Engine for Compiled {
 
     #[inline]
     fn settle(&mut self) {
-        // SAFETY: the instruction set was found to be available when this was made.
+        // SAFETY: `with_instructions` found the instruction set to be available.
         unsafe { (self.settle)(&mut self.rows, &mut self.bits) }
     }
 

@@ -5,7 +5,7 @@ use netlist::Engine;
 use netlist::{Evaluator, Flat, mask};
 use std::fmt;
 
-/// The first output that an engine shows otherwise than [`Evaluator`].
+/// The first output in which an engine differs from [`Evaluator`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
     /// Cycle, from 0.
@@ -61,7 +61,7 @@ pub fn first_difference(
     None
 }
 
-/// Inputs of any bits, a quarter of them corners, equal for equal seeds.
+/// Inputs with random bits, a quarter of them corner values, equal for equal seeds.
 #[must_use]
 pub fn any_inputs(netlist: &Flat, seed: u64, cycle: u64, lane: usize) -> Vec<u128> {
     let value = |(input, width): (usize, u32)| {

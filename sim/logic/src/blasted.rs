@@ -9,7 +9,7 @@ use netlist::Engine;
 pub struct GateEngine<'b> {
     blasted: &'b Blasted,
     simulator: Simulator<'b, 1>,
-    /// First bit of each input among those of the gates.
+    /// Position of each input's first bit among the inputs of the gates.
     first_bit: Vec<usize>,
 }
 

@@ -9,9 +9,24 @@
 //! | [`RustHdl`](rust_hdl::RustHdl) | units and pipelines | 1 | the kernels' own text, executed |
 //! | [`Verilated`](verilated::Verilated) | any, as Verilog | 1 | the exported text, by an independent tool; no [`Engine`] |
 //!
-//! Each lane is a copy of the netlist with inputs and registers of its own. All engines are cycle-accurate, with registers at
-//! their power-up values, stalls and bubbles. [`agreement`] compares any of them with the reference, [`check`] with the
-//! specification; [`recorder`] makes a waveform of any lane; [`steps`] does single traversal steps by netlist.
+//! Each lane is a copy of the netlist with inputs and registers of its own. All engines are cycle-accurate: registers start at their
+//! power-up values, and stalls and bubbles take effect. [`agreement`] compares any engine with the reference, [`check`] compares the
+//! hardware with the specification, [`recorder`] writes a waveform of any lane, and [`steps`] takes single traversal steps by netlist.
+//!
+//! [`Engine`]: netlist::Engine
+//!
+//! ```
+//! use logic::check::volume::volume;
+//! use netlist::flatten;
+//! use pipelines::catalogue::{StandardFormat, Top};
+//!
+//! let (top, format) = (Top::DualSplit, StandardFormat::Binary32);
+//! let netlist = flatten(&top.design(format)?)?;
+//! let totals = volume(top, format, &netlist, 10_000, 1, |_done| ()).expect("the pipeline is compiled");
+//! assert!(totals.vectors >= 10_000);
+//! assert_eq!(totals.mismatches, 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod agreement;
 pub mod blasted;

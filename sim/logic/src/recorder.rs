@@ -1,4 +1,4 @@
-//! What one lane of an engine has been given and has shown, and a waveform of it.
+//! Records the inputs and outputs of one lane of an engine, and writes a waveform of them.
 
 use super::agreement::Difference;
 use netlist::Engine;
@@ -24,7 +24,8 @@ struct Cycle {
 /// Why there is no waveform.
 #[derive(Debug, thiserror::Error)]
 pub enum WaveError {
-    /// The lane has shown something else than the netlist's reference simulation: there are two waveforms, not one.
+    /// The outputs of the lane differ from those of the netlist's reference simulation, so there are two waveforms,
+    /// not one.
     #[error("the engine and the reference simulation differ: {0}")]
     Differs(Difference),
     /// The file cannot be written.
@@ -49,11 +50,11 @@ impl<E: Engine> Recorder<E> {
 
     /// Writes the lane's cycles as a value change dump, with every named signal of the hierarchy.
     ///
-    /// Engines do not keep values between registers. The inputs are therefore run through the reference simulation, whose
-    /// outputs have to be the recorded ones in every cycle.
+    /// Engines do not keep the values between registers. The function therefore runs the inputs through the reference
+    /// simulation. Its outputs must equal the recorded ones in every cycle.
     ///
     /// # Errors
-    /// When they are not, or `out` cannot be written.
+    /// When they differ, or `out` cannot be written.
     pub fn write_wave(&self, netlist: &Flat, out: &mut dyn Write) -> Result<(), WaveError> {
         let mut reference = Evaluator::new(netlist);
         for (cycle, Cycle { inputs, outputs }) in (0..).zip(&self.cycles) {
@@ -117,7 +118,7 @@ mod tests {
     use netlist::{Change, Mutation, flatten, mutate};
     use pipelines::catalogue::{StandardFormat, Top};
 
-    /// The waveform of a lane is that of its inputs, and an engine of another netlist is found out.
+    /// The waveform of a lane is that of its inputs, and the recorder refuses an engine of another netlist.
     #[test]
     fn the_waveform_of_a_lane() {
         const LANE: usize = 5;

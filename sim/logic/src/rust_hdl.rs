@@ -1,4 +1,5 @@
-//! `rust-hdl`'s own simulation of a module, the kernels' Rust text executed: the first witness of what the hardware does.
+//! `rust-hdl`'s own simulation of a module, which executes the kernels' Rust text: the first witness of what the
+//! hardware does.
 
 use netlist::Engine;
 use pipelines::formats::binary32;

@@ -1,7 +1,6 @@
-//! Traversal steps done by the pipelines' netlists, one at a time: hardware in the loop of a traversal.
+//! Traversal steps by the pipelines' netlists, one at a time: hardware in the loop of a traversal.
 //!
-//! The pipeline is flushed for each step ([`Compiled::flush`]), which gives at once what it would show eight cycles
-//! later.
+//! Each step flushes the pipeline ([`Compiled::flush`]), which gives at once the outputs of eight cycles later.
 
 use golden::dst::{Child, Code, Step};
 use golden::{Aabb, TraversalRay};
@@ -9,7 +8,7 @@ use lanes::{Compiled, Program, Slot};
 use netlist::Engine;
 use pipelines::catalogue::{StandardFormat, Top};
 
-/// The lane that steps are done in.
+/// The lane in which the steps run.
 const LANE: usize = 0;
 
 /// The dual-split pipeline as a step function, for [`closest_by_steps`](golden::traverse::closest_by_steps).
@@ -31,7 +30,7 @@ pub struct RayBoxStep {
     t_entry: usize,
 }
 
-/// A pipeline with the inputs that both have.
+/// A pipeline, with the inputs that both pipelines have.
 #[derive(Clone, Debug)]
 struct Pipeline {
     compiled: Compiled,
@@ -147,7 +146,7 @@ mod tests {
     use golden::traverse::{NoObserver, Trace, closest_by_steps};
     use render::CameraRays;
 
-    /// The hits of a picture are those of the software, bit for bit, with every step and every box test done by a netlist.
+    /// If netlists do every step and every box test, the hits of a picture are those of the software, bit for bit.
     #[test]
     fn traversal_by_hardware_steps_finds_the_same_hits() {
         let scene = scenes::procedural::build("courtyard", 0.01, 0).unwrap();

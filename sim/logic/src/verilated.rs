@@ -18,14 +18,14 @@ pub struct Verilated {
     outputs: usize,
 }
 
-/// What a run has given.
+/// The results of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// All outputs of each cycle of the first pass, before the clock edge.
     pub outputs: Vec<Vec<u64>>,
-    /// Processor seconds of all passes but the first, reading inputs from memory included.
+    /// Processor seconds of all passes except the first. They include reading the inputs from memory.
     pub seconds: f64,
-    /// Sum of each output over the cycles of all passes, modulo 2^64, but for those skipped.
+    /// Sum of each output over the cycles of all passes except those skipped, modulo 2^64.
     pub sums: Vec<u64>,
 }
 
@@ -35,7 +35,7 @@ pub enum VerilatedError {
     /// A port is too wide.
     #[error("port `{0}` is wider than 64 bits")]
     TooWide(String),
-    /// A file cannot be written or read, or a program is not there.
+    /// A file cannot be written or read, or a program is missing.
     #[error("{0}: {1}")]
     Io(String, io::Error),
     /// A program has failed.
@@ -44,7 +44,7 @@ pub enum VerilatedError {
 }
 
 impl Verilated {
-    /// Verilates `design` in `folder`, with all optimisation for this machine and no threads.
+    /// Verilates `design` in `folder`, with all optimisations for this machine and without threads.
     ///
     /// # Errors
     /// When Verilator or the C++ compiler is missing or fails, or a port is wider than 64 bits.

@@ -1,8 +1,38 @@
 //! A many-core machine of the TRaX class, timed cycle by cycle.
 //!
-//! [`description`] says what the machine consists of; [`program`] holds the programs that its threads run, as basic blocks
-//! of instructions with their units, dependences and addresses; [`core`] times them. What a ray does is decided by
-//! the golden traversal alone: the timing core executes the blocks that correspond to it and computes nothing itself.
+//! | module | what it holds |
+//! |---|---|
+//! | [`description`] | what the machine consists of, as a TOML file |
+//! | [`program`] | the programs of the threads: straight runs of instructions with their units, dependences and addresses |
+//! | [`core`] | the timing of these runs |
+//! | [`mod@frame`] | the pixels of a frame as work for the threads |
+//! | [`pipelines`], [`costs`] | what a pipeline takes of a multiprocessor's units; area and energy of the rest |
+//! | [`results`] | counts, times, energies and areas, with units |
+//! | [`mod@reference`] | the runs of the public simulator, for validation |
+//!
+//! The golden traversal alone decides what a ray does. The timing core executes the runs that correspond to it and computes nothing
+//! itself. `docs/machine.md` describes the model.
+//!
+//! ```
+//! use golden::build::{BuildOptions, Quality, build};
+//! use golden::structure::{Structure, StructureKind, pack_triangles};
+//! use machine::description::MachineDescription;
+//! use machine::frame::{FrameMachine, MachineStructure, frame};
+//! use render::{RenderOptions, Test};
+//!
+//! let scene = scenes::procedural::build("statue", 0.0005, 0)?;
+//! let tree = build(&scene.mesh, &BuildOptions::new(Quality::Fast))?;
+//! let dst = Structure::convert(StructureKind::Dst, &tree, &pack_triangles(&scene.mesh, &tree))?;
+//!
+//! let settings = ["chip.l2_partitions=1".to_owned(), "chip.tms_per_partition=1".to_owned()];
+//! let description = MachineDescription::load("trax", &settings)?;
+//! // The program that decodes nodes in software needs no pipeline.
+//! let machine = FrameMachine::new(&description, MachineStructure::DstSoftware, |_| unreachable!())?;
+//! let frame = frame(&machine, &scene, &dst, &RenderOptions::new(Test::Raycast, 8, 8), |_pixels| ())?;
+//! assert_eq!(frame.pixels.len(), 64);
+//! println!("{} rays took {} cycles", frame.rays, frame.counts.cycles);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod core;
 pub mod costs;

@@ -1,7 +1,7 @@
-//! The adder of any format against exact integers, case by case: each distance between the exponents is one.
+//! The adder of any format against exact integers, with one case for each distance between the exponents.
 //!
-//! That takes some hundred cases where pairs of exponents are tens of thousands: within a case one exponent is free, and
-//! the other follows from it. A test counts that the cases hold every pair.
+//! There are some hundred distances where there are tens of thousands of pairs of exponents. Within a case one
+//! exponent is free, and the other follows from it. A test counts that the cases hold every pair.
 
 use fp::Format;
 use netlist::Design;
@@ -17,13 +17,14 @@ use gates::words;
 /// Operands by their exponent fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SumCase {
-    /// The first, or else the second, is an infinity or a NaN, the other any word.
+    /// One operand is an infinity or a NaN, the other any word.
     Special {
-        /// It is the first.
+        /// Whether the first operand is the infinity or NaN.
         first: bool,
     },
-    /// Both are finite, and the first's exponent is this much more than the second's; that of a subnormal counts as the
-    /// least of normal numbers. Where both are least, both are normal, or both are not.
+    /// Both are finite, and the first exponent exceeds the second by this much. The exponent of a subnormal counts as
+    /// the least exponent of normal numbers. Where both exponents are the least, both numbers are normal, or both are
+    /// subnormal.
     Distance(i32),
     /// A subnormal and a normal number of the least exponent.
     Least {
@@ -119,10 +120,10 @@ impl Sums {
         Ok(Self { format, hardware, cases: SumCase::all(format) })
     }
 
-    /// What is to be proved in a case.
+    /// The theorem of a case.
     ///
     /// # Panics
-    /// When the adder has not got the ports that it should have.
+    /// If the adder lacks one of its ports.
     #[must_use]
     pub fn theorem(&self, case: SumCase) -> Theorem {
         let format = self.format;
@@ -163,7 +164,7 @@ impl Sums {
         theorem
     }
 
-    /// Proves all cases on all threads, or finds one that does not hold; `case_done` is told of each.
+    /// Proves all cases on all threads, or finds one that does not hold. Calls `case_done` after each.
     #[must_use]
     pub fn prove(&self, limits: Limits, case_done: impl Fn() + Sync) -> Proof {
         let proofs: Vec<Proof> = (self.cases.par_iter())

@@ -1,4 +1,4 @@
-//! What is proved about the hardware, by name.
+//! The theorems about the hardware, by top and format.
 
 use std::collections::BTreeMap;
 
@@ -41,7 +41,8 @@ pub struct Theorem {
     pub pairs: Vec<(Lit, Lit)>,
     /// What each pair is, for messages.
     pub names: Vec<String>,
-    /// Values of inputs, one of which always holds: each case has a proof of its own. One for all if empty.
+    /// Cases: values of some inputs, such that one case always holds. Each case has a proof of its own. If there are
+    /// none, one proof covers all.
     pub cases: Vec<Vec<(String, bool)>>,
 }
 
@@ -63,7 +64,8 @@ impl Theorem {
         Self { aig, pairs, names: self.names.clone(), cases: Vec::new() }
     }
 
-    /// Proves it case by case on all threads, or finds where it does not hold; `case_done` is told of each case.
+    /// Proves the theorem case by case on all threads, or finds where it does not hold. Calls `case_done` after each
+    /// case.
     #[must_use]
     pub fn prove(&self, limits: Limits, case_done: impl Fn() + Sync) -> Proof {
         if self.cases.is_empty() {
@@ -87,7 +89,7 @@ impl Theorem {
     /// [`TheoremError::NoReference`] for tops without one.
     ///
     /// # Panics
-    /// When a reference has an output that the hardware has not, a mistake in the reference.
+    /// If a reference has an output that the hardware lacks, which is a mistake in the reference.
     pub fn of(
         top: Top,
         format: StandardFormat,

@@ -1,4 +1,4 @@
-//! Speed of the machine model in simulated rays per second: `cargo bench -p sim --bench machine`.
+//! Speed of the machine model in simulated rays per second: `cargo bench -p dualsplit-studies --bench machine`.
 //!
 //! Frames of a built-in scene in every structure beside the plain golden render of the same picture, whose ratio is the
 //! slow-down of the model; and, if `DUALSPLIT_DATA` names the folder, runs of the public simulator's table (`simulate

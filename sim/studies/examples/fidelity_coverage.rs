@@ -1,6 +1,6 @@
 //! How often the intervals of `--fidelity auto` cover the frame's own time and energy: the table of `docs/fidelity.md`.
 //!
-//! `cargo run --release -p sim --example fidelity_coverage -- [SEEDS [WIDTHxHEIGHT [MULTIPROCESSORS [TOLERANCE [DETAIL]]]]]`
+//! `cargo run --release -p dualsplit-studies --example fidelity_coverage -- [SEEDS [WIDTHxHEIGHT [MULTIPROCESSORS [TOLERANCE [DETAIL]]]]]`
 
 use estimate::Method;
 use golden::build::{BuildOptions, Quality, build};

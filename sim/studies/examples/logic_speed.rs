@@ -1,6 +1,6 @@
 //! Vectors per second of the simulations of both pipelines, on the same vectors, in processor time.
 //!
-//! `cargo run --release -p sim --example logic_speed` builds Verilator's model of the exported Verilog with
+//! `cargo run --release -p dualsplit-studies --example logic_speed` builds Verilator's model of the exported Verilog with
 //! `-O3 -march=native` and no threads, and runs rust-hdl's `simulate` loop, Verilator, the interpreter and the compiled
 //! simulation in turns. The vectors are operations back to back; results are compared by the sums of all outputs. With
 //! two threads, each simulates a copy of its own, and the throughput is that of both by the processor time of either.

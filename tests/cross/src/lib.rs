@@ -1,4 +1,13 @@
-//! What the checks across the crates share.
+//! What the checks across the crates share: netlists of the catalogue, and scenes with their trees.
+//!
+//! ```
+//! use cross::netlist;
+//! use equivalence::check;
+//! use pipelines::catalogue::{StandardFormat, Top};
+//!
+//! let adder = netlist(Top::IntAdd);
+//! assert_eq!(check(&adder, Top::IntAdd, StandardFormat::Binary32, 200, 1).mismatches, 0);
+//! ```
 
 use golden::build::{BuildOptions, build};
 use golden::dst::Dst;

@@ -1,7 +1,7 @@
 //! Faults that engineers make, put into the elaborated netlist at run time, and the check that notices each.
 //!
-//! The check is the one of `equivalence.rs`: the mutant's outputs against golden's claims. Mutants that no check of
-//! outputs can notice are listed apart, each with the reason, and a test keeps that list honest.
+//! The check is the one of `equivalence.rs`: the mutant's outputs against golden's claims. A second list has the
+//! mutants that no check of outputs can notice, each with the reason; a test keeps that list honest.
 
 use equivalence::check;
 use netlist::{BinaryOp, Change, Mutation, flatten, mutate};
@@ -160,7 +160,7 @@ fn faults() -> Vec<Row> {
     ]
 }
 
-/// Mutants that behave as the original, and why.
+/// Mutants that behave like the original, and the reasons.
 fn equivalent() -> Vec<Row> {
     use Change::{Constant, Operator};
     vec![

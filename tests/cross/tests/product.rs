@@ -1,9 +1,9 @@
 //! The multiplier array multiplies: a proof for all operands, by the algebra of its word graph.
 //!
-//! A solver does not get through a 24 x 24 bit array, but the array is a sum of partial products. Every word in it is
-//! followed as a polynomial in the operands' bits, with coefficients that are integers. As long as no sum exceeds its
-//! width and no slice cuts through a carry, which is checked, the polynomial's value is the word's. The product's
-//! polynomial has to be the sum of `2^(i+j) a_i b_j`.
+//! A solver does not finish a 24 x 24 bit array, but the array is a sum of partial products. The proof follows every
+//! word in it as a polynomial in the operands' bits with integer coefficients. As long as no sum exceeds its width
+//! and no slice cuts through a carry, which the proof checks, the polynomial has the value of the word. The product's
+//! polynomial must be the sum of `2^(i+j) a_i b_j`.
 
 use netlist::{BinaryOp, Change, Graph, Module, Mutation, Op, mask, mutate};
 use pipelines::catalogue::{StandardFormat, Top};

@@ -1,4 +1,4 @@
-//! Streams of arbitrary inputs that shrink: a failure comes down to the one cycle and the bits that matter.
+//! Streams of arbitrary inputs that shrink, so that a failure comes down to the one cycle and the bits that matter.
 
 use cross::netlist;
 use equivalence::{Model, compare};
@@ -18,7 +18,7 @@ fn word(width: u32) -> BoxedStrategy<u128> {
     prop_oneof![0..=mask(width), special].boxed()
 }
 
-/// Up to 40 cycles of any inputs at all; the shared block's routing stays as it is at power-up.
+/// Up to 40 cycles of arbitrary inputs. The shared block's routing stays as it is at power-up.
 fn cycles(netlist: &Flat) -> impl Strategy<Value = Vec<Vec<u128>>> + use<> {
     let mode = netlist.input("mode_i");
     let inputs: Vec<BoxedStrategy<u128>> = netlist.inputs.iter().map(|port| word(port.width)).collect();

@@ -3,7 +3,7 @@
 //! Icarus runs the exported testbench. Verilator runs a hundred times as many vectors, streamed to a harness in C++: the
 //! model's inputs and golden's claims about its outputs, nothing from the netlist.
 //!
-//! A tool that is missing skips its test, or fails it where `CI` is set.
+//! A test whose tool is missing passes with a message, or fails where `CI` is set.
 
 use equivalence::{Model, Stimulus, compare};
 use netlist::verilog::testbench::{hex_line, testbench};
@@ -110,7 +110,7 @@ fn verilator_finds_faults() {
     }
 }
 
-/// Compiles the part of Verilator that all models share, which takes as long as most of them.
+/// Compiles the part of Verilator that all models share. It takes as long as most models.
 fn compile_runtime(folder: &Path) {
     let printed = run(folder, "verilator", &["--getenv", "VERILATOR_ROOT"]).unwrap();
     let include = format!("{}/include", printed.trim());

@@ -1,7 +1,8 @@
 // Runs a Verilated model over vectors from standard input and says how many differ.
 //
-// A vector is a clock cycle: one 32-bit little-endian word for each input, one for each output as it has to be before
-// the rising edge, and then, a bit each, which of the outputs are compared. `ports.h` says what the ports are.
+// A vector is a clock cycle. It has one 32-bit little-endian word for each input, one word for each output with the
+// value that the output must have before the rising edge, and then a bit for each output that says whether to compare
+// it. `ports.h` lists the ports.
 
 #include <cstdint>
 #include <cstdio>

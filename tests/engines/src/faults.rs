@@ -1,11 +1,11 @@
-//! Faulty units, compiled for the tests: what differs from a design in one place is simulated as it is.
+//! Faulty units, compiled for the tests: the simulation of a design with one fault must show the fault.
 //!
-//! Most faults break a shape that the build script recognises (see `sim/build/idioms.rs`) in one of its rows.
+//! Most faults break one row of a shape that `codegen` recognises (see `sim/codegen/src/idioms.rs`).
 
 use netlist::{Change, Design, Mutation, mutate};
 use pipelines::catalogue::{StandardFormat, Top};
 
-/// Top, module, value, and what is done to it.
+/// Top, module, value, and the change of the value.
 pub fn faults() -> Vec<(Top, &'static str, &'static str, Change)> {
     use Change::{Constant, Increment, Invert, Replace, StuckBit, SwapOperands};
     let with = |other: &str| Replace(other.into());

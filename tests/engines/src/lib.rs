@@ -1,4 +1,11 @@
-//! Random designs and faulty units, with their compiled simulations: what the engines are compared on.
+//! Random designs and faulty units with their compiled simulations, on which the tests compare the engines.
+//!
+//! ```
+//! let design = engines::random::design(1, 64);
+//! assert_eq!(design.modules.len(), 4);
+//! assert_eq!(design, engines::random::design(1, 64));
+//! assert!(netlist::flatten(&design).is_ok());
+//! ```
 
 pub mod faults;
 pub mod random;

@@ -1,7 +1,7 @@
 //! Random designs: every operation at every kind of width, registers with and without enables, instances of modules
 //! whose outputs come from registers and of others.
 //!
-//! Also a part of the build script, which compiles some of them for the tests.
+//! The build script also uses this module: it compiles some of the designs for the tests.
 
 use base::split_mix::{hash, next};
 use netlist::{
@@ -71,7 +71,7 @@ impl ModuleMaker {
         }
     }
 
-    /// A node that was not simplified: what the constructors fold away is to be computed as well.
+    /// A node without simplification, so that the engines also compute what the constructors would fold away.
     fn add(&mut self, op: Op, width: u32) -> NodeId {
         let id = self.graph.intern(netlist::Node { op, width });
         self.nodes.push(id);
@@ -94,7 +94,7 @@ impl ModuleMaker {
         }
     }
 
-    /// Some node, brought to a width.
+    /// Some node, converted to a width.
     fn of_width(&mut self, width: u32) -> NodeId {
         let id = self.any();
         self.resized(id, width)

@@ -51,7 +51,7 @@ fn the_catalogue_agrees_with_the_evaluator() {
     }
 }
 
-/// What a pipeline shows after its latency, inputs held, is what flushing it shows at once.
+/// Flushing a pipeline shows at once the outputs that it shows after its latency with inputs held.
 #[test]
 fn flushing_equals_waiting() {
     const LATENCY_CYCLES: usize = 8;
@@ -139,7 +139,7 @@ fn random_programs_use_every_operation() {
     }
 }
 
-/// A faulty unit is simulated with its fault, and not as the unit that it should be.
+/// The simulation of a faulty unit shows the fault.
 #[test]
 fn faulty_units_agree_with_the_evaluator_and_with_nothing_else() {
     for ((position, program), fault) in compiled_faults::PROGRAMS.iter().zip(faults::faults()) {

@@ -1,5 +1,5 @@
-// Any word that a product of two significands can be, and more: between the product of the operands' leading ones and
-// four times that, or zero if an operand is. `free` is driven by nothing and becomes an input of the proof.
+// Any word that a product of two significands can be, and more: any word from the product of the operands' leading
+// ones to four times that, or zero if an operand is zero. Nothing drives `free`, so it becomes an input of the proof.
 module `NAME #(parameter S = `S) (
     input  wire [S-1:0]   a_i,
     input  wire [S-1:0]   b_i,

@@ -1,4 +1,4 @@
-// A unit whose result is any word at all: `free` is driven by nothing and becomes an input of the proof.
+// A unit whose result is any word at all. Nothing drives `free`, so it becomes an input of the proof.
 module any_result (
     input  wire [31:0] a_i,
     input  wire [31:0] b_i,

@@ -1,7 +1,7 @@
 // One step of dual-split traversal, as the node format and the step are documented; binary32.
 //
-// The subtractions and multiplications are instances of `any_result`, whose result is any word at all: what is proved
-// holds for whatever these units compute from the operands, which are proved equal too.
+// The subtractions and multiplications are instances of `any_result`, whose result is any word at all. The proof
+// therefore holds whatever these units compute from their operands. It shows that the operands are equal too.
 
 module reference_dual_split (
     input  wire [31:0] header_i, plane_0_i, plane_1_i,
@@ -95,7 +95,8 @@ module reference_dual_split (
     end
 endmodule
 
-// The two sides of the proof. Outputs that mean nothing are masked: both slots of a miss, the far one but for code 2.
+// The two sides of the proof. Outputs that mean nothing are masked: both slots of a miss, and the far slot of every
+// code except 2.
 `define PORTS \
     input  wire        clk_i, valid_i, tag_i, \
     input  wire [31:0] header_i, plane_0_i, plane_1_i, \

@@ -1,5 +1,5 @@
-// Addition and multiplication without any floating-point technique, for formats small enough: operands become integers,
-// multiples of the smallest subnormal number, on which the operation is exact; its result is then rounded.
+// Addition and multiplication without any floating-point technique, for small formats. Operands become integers, in
+// multiples of the smallest subnormal number. The operation on the integers is exact, and its result is rounded once.
 
 // The nearest numbers to magnitude * 2^-F smallest subnormals.
 module exact_round #(parameter E = 4, parameter S = 4, parameter N = 32, parameter F = 0) (

@@ -1,4 +1,4 @@
-// Registers as wires: what a pipeline computes, without when.
+// Registers as wires: the proof is about what a pipeline computes, not about when.
 (* techmap_celltype = "$dff" *)
 module transparent (CLK, D, Q);
     parameter WIDTH = 1;

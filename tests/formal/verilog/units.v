@@ -1,8 +1,8 @@
 // The arithmetic units as IEEE 754 defines them, for any format of E exponent and S significand bits.
 //
 // Plain behavioural Verilog, written from the standard and not from the RTL: the other side of the proofs in
-// tests/formal.rs. Ports are those of the RTL's modules without clock and handshake. Rounding directions are coded as
-// in RISC-V's frm: 0 nearest even, 1 toward zero, 2 down, 3 up, 4 nearest away; the rest as 1.
+// tests/formal. Ports are those of the RTL's modules without clock and handshake. Rounding directions are coded as in
+// RISC-V's frm: 0 nearest even, 1 toward zero, 2 down, 3 up, 4 nearest away. Other codes mean the same as 1.
 
 // Rounds significand * 2^exponent. `kept` are the upper S bits of the significand, `guard` is the next one, and `sticky`
 // says whether anything follows. A clear upper bit means a subnormal number, whatever the exponent.
@@ -61,7 +61,7 @@ module reference_fp_add #(parameter E = 8, parameter S = 24) (
     wire [E-1:0] big_exponent = big[W-2:S-1] == 0 ? 1 : big[W-2:S-1];
     wire [E-1:0] small_exponent = small[W-2:S-1] == 0 ? 1 : small[W-2:S-1];
 
-    // Nothing of the smaller addend falls off within 2 S + 2 places; beyond, it is a sticky bit.
+    // The smaller addend loses nothing within 2 S + 2 places. Further away, it is a sticky bit.
     wire [E-1:0] distance = big_exponent - small_exponent;
     wire [3*S+1:0] shifted = {small_significand, {(2*S+2){1'b0}}} >> distance;
     wire lost = |shifted[2*S-2:0] || (distance > 2*S+2 && |small_significand);
@@ -151,7 +151,7 @@ module reference_fp_mul #(parameter E = 8, parameter S = 24) (
     end
 endmodule
 
-// Numbers as signed integers, which are ordered as the numbers are; -0 and +0 are both 0.
+// Numbers as signed integers in the same order; -0 and +0 are both 0.
 module reference_fp_cmp #(parameter E = 8, parameter S = 24) (
     input  wire [E+S-1:0] a_i,
     input  wire [E+S-1:0] b_i,

@@ -1,13 +1,25 @@
-//! What tests of all crates share: external tools, data outside the repository, and the switch for long tests.
+//! What the tests of all crates share: external tools, data outside the repository, and the switch for long tests.
 //!
-//! A test that cannot run says so on its output. Where `CI` is set, a missing tool is a failure.
+//! A test that cannot run says so on its output and passes. Where `CI` is set, a missing tool is a failure.
+//!
+//! ```
+//! use std::sync::atomic::{AtomicU32, Ordering};
+//!
+//! let sum = AtomicU32::new(0);
+//! testing::tools::in_parallel([1, 2, 3], |n| { sum.fetch_add(n, Ordering::Relaxed); });
+//! assert_eq!(sum.into_inner(), 6);
+//!
+//! if testing::long("the example's long part") {
+//!     println!("DUALSPLIT_LONG or CI is set");
+//! }
+//! ```
 
 pub mod tools;
 
 use std::path::PathBuf;
 
-/// The path of a file or folder of the data that `DUALSPLIT_DATA` names, or `None` with a word on the output where the
-/// variable is not set.
+/// The path of a file or folder of the data that `DUALSPLIT_DATA` names. If the variable is not set, prints a message
+/// and returns `None`.
 ///
 /// # Panics
 /// If the variable is set and there is no such file.
@@ -22,8 +34,8 @@ pub fn data(name: &str) -> Option<PathBuf> {
     Some(path)
 }
 
-/// Whether tests that take long are to be run: in volume, with synthesis, or by long proofs. They are where `DUALSPLIT_LONG` or
-/// `CI` is set; otherwise a word on the output says that `what` was left out.
+/// Whether the long tests run: those in volume, those that synthesise, and long proofs. They run where `DUALSPLIT_LONG` or `CI`
+/// is set. Otherwise the function prints that `what` was left out.
 #[must_use]
 pub fn long(what: &str) -> bool {
     let long = is_long();

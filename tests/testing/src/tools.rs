@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::Mutex;
 
-/// Whether a tool can be run. Without it a test says so and passes; with `CI` set it fails instead.
+/// Whether a tool can be run. If it cannot, prints a message, or panics where `CI` is set.
 ///
 /// # Panics
 /// Where `CI` is set and the tool is missing.
@@ -18,7 +18,7 @@ pub fn available(tool: &str) -> bool {
     found
 }
 
-/// Runs a command in a folder; returns what it printed, on both streams.
+/// Runs a command in a folder, and returns what it printed on both streams.
 ///
 /// # Errors
 /// The same text when it fails.
@@ -41,7 +41,7 @@ pub fn provers_available() -> bool {
     available("yosys") && available(abc())
 }
 
-/// ABC under the name that it is installed by.
+/// The name under which ABC is installed.
 fn abc() -> &'static str {
     let names = ["yosys-abc", "berkeley-abc"];
     let starts = |name: &&str| Command::new(name).args(["-q", "quit"]).output().is_ok();
@@ -52,14 +52,14 @@ fn abc() -> &'static str {
 /// the command `cec` for logic, by `dsec` for circuits that start with all registers zero.
 ///
 /// # Errors
-/// What ABC says if they are not, and what yosys says if it fails.
+/// The output of ABC if the circuits differ, and the output of yosys if it fails.
 ///
 /// # Panics
 /// If a tool cannot be started.
 pub fn prove(folder: &Path, script: &str, command: &str) -> Result<(), String> {
     run(folder, "yosys", &["-q", "-s", script])?;
     let answer = run(folder, abc(), &["-c", &format!("{command} gold.aig gate.aig")])?;
-    // A difference is no failure to ABC, and neither is a file that it cannot read.
+    // ABC ends with success even if the circuits differ, or if it cannot read a file.
     if answer.contains("Networks are equivalent") { Ok(()) } else { Err(answer) }
 }
 

@@ -1,7 +1,7 @@
 //! Construction of the binary hierarchy that every structure is converted from.
 //!
 //! ```
-//! use crate::build::{BuildOptions, Quality, build};
+//! use golden::build::{BuildOptions, Quality, build};
 //!
 //! let mesh = scenes::Mesh {
 //!     positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
@@ -9,7 +9,7 @@
 //! };
 //! let tree = build(&mesh, &BuildOptions::new(Quality::High))?;
 //! assert_eq!(tree.nodes.len(), 1);
-//! # Ok::<(), crate::build::BuildError>(())
+//! # Ok::<(), golden::build::BuildError>(())
 //! ```
 
 mod binned;

@@ -1,10 +1,11 @@
 //! The proof that our Verilog is rust-hdl's: a yosys script that brings both into the same form for ABC.
 //!
-//! Both files become a sequential and-inverter graph with the same ports, whose registers start at zero, and ABC's `dsec`
-//! decides whether they give equal outputs for every sequence of inputs. Multiplier arrays, on which no solver
-//! succeeds, become black boxes on both sides: their operands are outputs of the graphs, and so proved equal, and their
-//! products are inputs, any word at all. That is sound as the same kernel stands behind both. Other products are mapped by
-//! [`MULTIPLICATION`], because yosys' own choice of adder tree depends on names, and ABC would meet two different trees.
+//! Both files become a sequential and-inverter graph with the same ports, whose registers start at zero, and ABC's
+//! `dsec` decides whether they give equal outputs for every sequence of inputs. Multiplier arrays, on which no solver
+//! succeeds, become black boxes on both sides: their operands are outputs of the graphs, and so proved equal, and
+//! their products are inputs, any word at all. That is sound because both multiplier arrays come from the same
+//! kernel. Other products are mapped by [`MULTIPLICATION`], because yosys' own choice of adder tree depends on names,
+//! and ABC would meet two different trees.
 
 use std::fmt::Write;
 
@@ -96,7 +97,8 @@ struct BlackBox {
     ports: Vec<(String, String)>,
 }
 
-/// Collects the black boxes beneath `module`, whose instance has `paths` here and in the reference, each with its dot.
+/// Collects the black boxes beneath `module`. `paths` are those of the module's instance here and in the reference,
+/// each with a dot at its end.
 fn find_boxes(
     design: &Design,
     module: &Module,

@@ -104,7 +104,7 @@ impl<'d> Emitter<'d> {
         for (position, port) in module.inputs.iter().enumerate() {
             self.read.entry(self.ports.inputs[position].clone()).or_insert((0, port.width));
         }
-        // Where folding made two values of a signal one, the plain name is the better.
+        // Where folding has merged two values of a signal, the plain name is the better one.
         let (last, earlier): (Vec<_>, Vec<_>) = module.names.iter().partition(|local| local.is_last);
         for local in last.into_iter().chain(earlier) {
             if !self.names.contains_key(&local.node) && self.uses[local.node.index()] > 0 {

@@ -14,7 +14,7 @@ use crate::mesh::{MAX_COORDINATE, MAX_TRIANGLES};
 const CHUNK_BYTES: usize = 1 << 16;
 const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 
-/// Presents `source` as the statements that form the mesh; the first fault ends the text and is kept.
+/// Presents `source` as the statements that form the mesh. The first fault ends the text, and the reader keeps it.
 pub(super) struct CheckedReader<'a, R> {
     source: R,
     path: &'a Path,

@@ -14,8 +14,8 @@ use crate::mesh::{MAX_COORDINATE, MAX_TRIANGLES};
 pub struct ObjError {
     /// The file as it was named by the caller.
     pub path: PathBuf,
-    /// The line at fault, from 1; for a statement continued over several lines, its last. Absent where no
-    /// single line is at fault.
+    /// The line at fault, from 1. A statement that continues over several lines has the number of its last line.
+    /// Absent where no single line is at fault.
     pub line: Option<u64>,
     /// What is wrong.
     pub kind: ObjErrorKind,

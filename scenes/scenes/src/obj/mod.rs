@@ -1,9 +1,9 @@
 //! Wavefront OBJ files, plain or xz-compressed.
 //!
-//! Only geometry counts: objects and groups are joined in file order, materials, normals, texture
-//! coordinates, lines and points are ignored, and polygons become fans. Triangle `i` of the mesh is the
-//! `i`-th triangle of the file. Vertices are numbered in the order in which faces first name them; a vertex
-//! that no face names is dropped.
+//! Only geometry counts. The reader joins objects and groups in file order, ignores materials, normals, texture
+//! coordinates, lines and points, and turns polygons into fans. Triangle `i` of the mesh is the `i`-th triangle of
+//! the file. Vertices are numbered in the order in which faces first name them; a vertex that no face names is
+//! dropped.
 
 mod check;
 mod error;
@@ -23,7 +23,7 @@ pub use write::{save, write};
 const XZ_MAGIC: &[u8] = b"\xfd7zXZ\0";
 const BUFFER_BYTES: usize = 1 << 16;
 
-/// Loads the file `path`; xz compression is recognised by content.
+/// Loads the file `path`, and recognises xz compression by the content.
 ///
 /// # Errors
 /// [`ObjError`] names the file, the line and the remedy.

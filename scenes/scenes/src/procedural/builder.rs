@@ -86,8 +86,8 @@ impl MeshBuilder {
         self.counting
     }
 
-    /// The number of segments for a length that has `full` at full detail: never below `least`, never
-    /// falling as the level rises, rounded up or down at random so that sums grow smoothly.
+    /// The number of segments for a length that has `full` segments at full detail. The number is never below `least`
+    /// and never falls as the level rises. It is rounded up or down at random, so that sums grow smoothly.
     pub(super) fn segments(&mut self, full: u32, least: u32) -> u32 {
         // At full detail the sum stays below full + 1, as a random number is below 1.
         ((f64::from(full) * self.level + self.dither.unit()) as u32).max(least)
@@ -98,7 +98,8 @@ impl MeshBuilder {
     pub(super) fn repeat(&mut self, full: u32, least: u32, mut build: impl FnMut(&mut Self, u32, u32)) {
         let count = self.segments(full, least);
         let key = self.dither.bits();
-        // Items have random numbers of their own, lest those of what follows depend on the level.
+        // Each item has random numbers of its own, so that the random numbers of later parts do not depend on the
+        // level.
         let outer = self.dither.clone();
         for item in 0..count {
             self.dither = Random::new(key, 0, item.into());

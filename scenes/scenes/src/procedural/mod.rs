@@ -1,8 +1,8 @@
 //! Six built-in scenes, each with the character of one that ray tracing papers use.
 //!
-//! A scene is a function of its seed and its level of detail alone. `detail` is the fraction of the full
-//! number of triangles; the level that gives it is found by counting. The seed moves what is random (hairs,
-//! leaves, folds of cloth) and leaves the plan as it is.
+//! A scene is a function of its seed and its level of detail alone. `detail` is the fraction of the full number of
+//! triangles; [`build`] finds the level that gives it by counting. The seed moves what is random (hairs, leaves,
+//! folds of cloth) and leaves the plan as it is.
 
 mod atrium;
 mod builder;
@@ -29,7 +29,7 @@ pub struct CatalogueEntry {
     pub stands_for: &'static str,
     /// Triangles at detail 1 with seed 0; other seeds differ by less than 2 %.
     pub triangles: usize,
-    /// What there is to see, and what is hard about it.
+    /// What the scene shows, and what is hard about it for a tree.
     pub description: &'static str,
     generate: fn(&mut MeshBuilder, u64),
     view: fn() -> (Camera, PointLight),

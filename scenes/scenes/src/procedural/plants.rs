@@ -301,8 +301,8 @@ pub(super) fn ivy(b: &mut MeshBuilder, seed: u64, kind: u64, size: DVec2, leaves
     });
 }
 
-/// Several parts of a kind. Below full detail they differ in the number of their triangles, which makes that
-/// of a whole crown grow smoothly with the level.
+/// Several parts of a kind. Below full detail the parts differ in their numbers of triangles, so that the number in a
+/// whole crown grows smoothly with the level.
 pub(super) fn variants(
     b: &mut MeshBuilder,
     count: u32,

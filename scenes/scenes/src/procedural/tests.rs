@@ -159,7 +159,7 @@ fn no_ray_leaves_the_atrium() {
                     let t = nearest(&scene.mesh, origin, direction);
                     let t =
                         t.unwrap_or_else(|| panic!("{name}: a ray from {origin} along {direction} leaves"));
-                    // Goes on from half of the way, and so reaches the galleries too.
+                    // The next ray starts halfway to the hit, so that some rays reach the galleries too.
                     origin += direction * (0.5 * t);
                 }
             }

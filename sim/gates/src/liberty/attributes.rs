@@ -141,7 +141,8 @@ pub(super) fn arc(
     };
     let timings: Vec<&Group> =
         output.of_kind("timing").filter(relates).filter(|timing| wanted(timing)).collect();
-    // The slowest condition stands for all in timing: the first with each table, which libraries list as default, else any.
+    // The slowest condition stands for all in timing. That is the first condition with each table, which libraries
+    // list as default, or else any.
     let default = timings.iter().find(|timing| timing.value("when").is_none()).or_else(|| timings.first())?;
     let table = |kind: &str| context.table(default, kind, context.time_ns);
     let sense = if timings.iter().all(|timing| timing.value("timing_sense") == Some("positive_unate")) {
@@ -152,7 +153,7 @@ pub(super) fn arc(
         Sense::Both
     };
     let power = output.of_kind("internal_power").filter(relates).filter(|group| {
-        // Of several supply pins, the one that feeds the cell has the energy.
+        // If a cell has several supply pins, the energy is listed at the one that feeds the cell.
         !group.value("related_pg_pin").is_some_and(|pin| pin.to_ascii_uppercase().contains("VSS"))
     });
     let power: Vec<&Group> = power.collect();

@@ -1,4 +1,4 @@
-//! The library that is there without a file: gate equivalents of each class of cell, with linear delays.
+//! The embedded library, which needs no file: gate equivalents of each class of cell, with linear delays.
 //!
 //! Measured from `sg13g2_stdcell_typ_1p20V_25C.lib` (IHP SG13G2, 130 nm, 1.2 V, 25 C, Apache-2.0), smallest drive of each
 //! class, transition times those of an inverter that drives four: area over that of the two-input NAND gate, mean input

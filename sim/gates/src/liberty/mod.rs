@@ -1,8 +1,9 @@
 //! Standard-cell libraries: from liberty files, plain or gzip-compressed, or the embedded one.
 //!
-//! Kept is what mapping, timing and energy need: combinational cells of one output and up to six inputs, the smallest
-//! rising-edge D flip-flop, the smallest latch-based clock gate, tables of delay, transition time and internal energy.
-//! Units are nanoseconds, femtofarads, femtojoules, square micrometres and nanowatts, whatever the file's.
+//! The reader keeps what mapping, timing and energy need: combinational cells of one output and up to six inputs, the
+//! smallest rising-edge D flip-flop, the smallest latch-based clock gate, tables of delay, transition time and
+//! internal energy. Units are nanoseconds, femtofarads, femtojoules, square micrometres and nanowatts, whatever the
+//! units of the file.
 
 mod attributes;
 mod embedded;
@@ -72,7 +73,7 @@ pub struct Cell {
     pub function: u64,
     /// Largest load; infinite if the library does not say.
     pub max_load_ff: f64,
-    /// For each input, what its change does to the output.
+    /// For each input, the delay and energy of a change of the output.
     pub arcs: Vec<Arc>,
 }
 
@@ -119,7 +120,7 @@ pub struct FlipFlop {
     pub arc: Arc,
     /// Energy of a clock cycle in which the output stays, inside the cell.
     pub clock_energy_fj: f64,
-    /// Time that the data has to be there before the clock edge.
+    /// Time by which the data has to come before the clock edge.
     pub setup_ns: f64,
 }
 

@@ -35,7 +35,7 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
         }
         let context = Context::new(&group).map_err(in_file)?;
         for cell in group.of_kind("cell") {
-            // Clock gates are mostly closed to synthesis, and open to the clock tree.
+            // Most libraries close clock gates to synthesis, and leave them to the clock tree.
             if let Some(found) = sequential::clock_gate(&context, cell) {
                 gates.push(found);
             }

@@ -16,7 +16,7 @@ pub(super) fn flip_flop(context: &Context, cell: &Group) -> Option<FlipFlop> {
     // Scan multiplexers and enables make the next state an expression, a falling edge the clock.
     let (clock_pin, data_pin) = (pin(clock)?, pin(data)?);
     let stored = state.names.first()?;
-    // A cell with the complement alone would need an inverter behind it.
+    // A cell that has the complement output only would need an inverter behind it.
     let mut outputs = cell.of_kind("pin").filter(|pin| is_output(pin));
     let output = outputs.find(|pin| pin.value("function").map(str::trim) == Some(stored))?;
     let arc = arc(context, output, clock, |timing| timing.value("timing_type") == Some("rising_edge"))?;
@@ -62,8 +62,8 @@ pub(super) fn clock_gate(context: &Context, cell: &Group) -> Option<ClockGate> {
     })
 }
 
-/// Energy of a rising and a falling clock edge: the mean over the conditions that the library lists, those in which data
-/// and output differ left out, as such an edge changes the output and is counted there.
+/// Energy of a rising and a falling clock edge: the mean over the conditions that the library lists. Conditions in
+/// which data and output differ are left out, because such an edge changes the output and is counted there.
 fn clock_energy(context: &Context, clock: &Group) -> f64 {
     let supply = |group: &&Group| {
         !group.value("related_pg_pin").is_some_and(|pin| pin.to_ascii_uppercase().contains("VSS"))

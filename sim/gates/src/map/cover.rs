@@ -14,7 +14,7 @@ const SAME_AREA: f32 = 1e-5;
 /// How one polarity of a node is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Choice {
-    /// It is there: an input or a latch.
+    /// The literal exists already: an input or a latch.
     Source,
     /// An inverter behind the other polarity.
     Inverter,
@@ -186,7 +186,7 @@ impl<'a> Cover<'a> {
                         best = Some((area, level, choice));
                     }
                 };
-                // An inverter behind an inverter would make nothing of nothing.
+                // Two inverters behind each other would each be made from the other.
                 if self.choices[(!lit).code() as usize] != Choice::Inverter {
                     consider(self, Choice::Inverter);
                 }

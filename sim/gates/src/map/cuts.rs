@@ -76,14 +76,14 @@ pub fn enumerate(aig: &Aig, patterns: &Patterns) -> Vec<Vec<Cut>> {
         cuts.sort_by(|a, b| {
             b.1.cmp(&a.1).then(a.0.total_cmp(&b.0)).then_with(|| a.2.leaves().cmp(b.2.leaves()))
         });
-        // The cut of the operands is kept in any case: a cell of two inputs covers it.
+        // The cut of the two operands stays in any case, because a cell of two inputs covers it.
         let direct = cuts.iter().position(|(_, _, cut)| {
             cut.leaves().iter().all(|&leaf| leaf as usize == a.node() || leaf as usize == b.node())
         });
         if let Some(position) = direct.filter(|&position| position >= MOST_CUTS) {
             cuts.swap(MOST_CUTS - 1, position);
         }
-        // Matched cuts mostly, some of the others as parts of larger ones.
+        // Most of the cuts kept are matched ones. Some others stay as parts of larger cuts.
         let matched = cuts.iter().filter(|cut| cut.1).count().min(MOST_CUTS - 2);
         let mut kept: Vec<(f32, bool, Cut)> = cuts[..matched].to_vec();
         kept.extend(cuts.iter().filter(|cut| !cut.1).take(MOST_CUTS - matched));
@@ -131,7 +131,7 @@ fn join(x: &Cut, y: &Cut, invert_x: bool, invert_y: bool) -> Option<Cut> {
 /// The table of a cut over more leaves.
 fn stretch(part: &Cut, leaves: &[u32]) -> u64 {
     let mut table = part.table;
-    // From the last variable on, so that each moves to a place that is free.
+    // The loop starts with the last variable, so that each variable moves to a free place.
     for (position, leaf) in part.leaves().iter().enumerate().rev() {
         let target = leaves.iter().position(|other| other == leaf).unwrap_or(position);
         for place in position..target {

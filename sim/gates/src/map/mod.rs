@@ -1,9 +1,10 @@
 //! Mapping of gates to the cells of a library, for area.
 //!
-//! For every AND, cuts of up to six leaves are enumerated and their functions looked up among the library's cells, with
-//! inputs permuted and complemented; area flow chooses a first cover, exact area of what each choice adds refines it
-//! (Mishchenko, Cho, Chatterjee, Brayton, "Combinational and Sequential Mapping with Priority Cuts", ICCAD 2007). Both
-//! polarities of a node are covered separately, with an inverter as one way to get the other. Cuts do not cross regions.
+//! The mapper enumerates cuts of up to six leaves for every AND, and looks their functions up among the library's
+//! cells, with inputs permuted and complemented. Area flow chooses a first cover. The exact area that each choice
+//! adds refines it (Mishchenko, Cho, Chatterjee, Brayton, "Combinational and Sequential Mapping with Priority Cuts",
+//! ICCAD 2007). The mapper covers both polarities of a node separately; an inverter is one way to get the other. Cuts
+//! do not cross regions.
 
 mod cover;
 mod cuts;

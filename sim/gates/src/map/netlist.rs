@@ -35,7 +35,7 @@ pub struct Register {
     pub origin: Origin,
 }
 
-/// Flip-flops whose clock is stopped together.
+/// Flip-flops behind one enable, whose clock stops together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClockGating {
     /// The net of the enable.
@@ -53,7 +53,8 @@ pub struct Mapped {
     pub gates: Vec<Gate>,
     /// Flip-flops.
     pub registers: Vec<Register>,
-    /// Stopped clocks, if the library has clock gates; otherwise enables are multiplexers before the data.
+    /// Groups of gated flip-flops, if the library has clock gates. Otherwise enables are multiplexers before the
+    /// data.
     pub clock_gating: Vec<ClockGating>,
     /// Net of each input of the graph.
     pub inputs: Vec<u32>,

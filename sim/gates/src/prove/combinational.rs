@@ -1,4 +1,4 @@
-//! A pipeline without its registers: what comes out as a function of what went in.
+//! A pipeline without its registers: the outputs as a function of the inputs.
 
 use crate::aig::{Aig, Lit, Node};
 
@@ -13,8 +13,8 @@ pub enum CombinationalError {
     Enable(String),
 }
 
-/// The graph with every latch replaced by what it takes: the function of a pipeline all of whose paths have one length,
-/// in enabled cycles. All latches must have the enable `enable`, an input's name, which becomes 1.
+/// The graph with every latch replaced by its data. That is the function of a pipeline in which all paths have the
+/// same number of enabled cycles. All latches must have the enable `enable`, an input's name, which becomes 1.
 ///
 /// # Errors
 /// [`CombinationalError`] when there is feedback or another enable.
@@ -57,7 +57,7 @@ pub fn combinational(aig: &Aig, enable: &str) -> Result<Aig, CombinationalError>
                 open[node] = false;
                 stack.pop();
             } else {
-                // A node that is open and met again beneath itself waits for itself.
+                // A node that is open when the walk meets it again waits for itself.
                 if std::mem::replace(&mut open[node], true) && waiting.iter().any(|&node| open[node]) {
                     return Err(CombinationalError::Feedback(name_in(aig, &stack)));
                 }

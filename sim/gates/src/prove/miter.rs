@@ -73,7 +73,7 @@ impl Miter {
         Ok(miter)
     }
 
-    /// Copies a circuit; the result are its outputs and next states by name.
+    /// Copies a circuit, and returns its outputs and next states by name.
     fn import(
         &mut self,
         side: &Aig,
@@ -103,8 +103,8 @@ impl Miter {
     }
 }
 
-/// Copies the logic of one graph into another, in one region; `source` gives the literal of each source. The result is the literal of
-/// each node.
+/// Copies the logic of one graph into another, in one region. `source` gives the literal of each source. Returns the
+/// literal of each node.
 pub fn copy(from: &Aig, to: &mut Aig, source: impl Fn(Node) -> Lit) -> Vec<Lit> {
     let mut map: Vec<Lit> = Vec::with_capacity(from.nodes().len());
     for &node in from.nodes() {

@@ -1,6 +1,6 @@
-//! Equivalence by sweeping: nodes that random simulation cannot tell apart are proved equal one by one, from the
-//! sources on, and merged, so that later proofs have little left to do (Kuehlmann, Krohm, "Equivalence Checking Using
-//! Cuts and Heaps", DAC 1997; Mishchenko et al., "FRAIGs", ERL technical report, 2005).
+//! Equivalence by sweeping. Where random simulation cannot tell nodes apart, the sweep proves them equal one by one,
+//! from the sources on, and merges them, so that later proofs have little left to do (Kuehlmann, Krohm, "Equivalence
+//! Checking Using Cuts and Heaps", DAC 1997; Mishchenko et al., "FRAIGs", ERL technical report, 2005).
 
 use std::collections::HashMap;
 
@@ -62,7 +62,8 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// The verdict on all of several cases, or the first that is not equality, and what they took together.
+    /// The common verdict of several cases, or the first verdict other than equality, with the sums of what the
+    /// proofs took.
     #[must_use]
     pub fn of_cases(proofs: &[Self]) -> Self {
         let sum = |number: fn(&Self) -> u64| proofs.iter().map(number).sum();
@@ -86,7 +87,7 @@ pub fn prove(aig: &Aig, pairs: &[(Lit, Lit)], limits: Limits) -> Proof {
 struct Sweep<'a> {
     aig: &'a Aig,
     pairs: &'a [(Lit, Lit)],
-    /// Which nodes matter.
+    /// Nodes that the pairs depend on.
     cone: Vec<bool>,
     /// Values of each node in all patterns so far, hashed; complemented if the first pattern says 1.
     hashes: Vec<u64>,

@@ -46,8 +46,9 @@ pub enum VerilogError {
     Miter(#[from] MiterError),
 }
 
-/// The exported Verilog of a design beside our own gates, paired by the names of ports and registers. Multiplier arrays
-/// are cut out of both; their operands are compared, and their products free. Files go into `folder`.
+/// The exported Verilog of a design beside our own gates, paired by the names of ports and registers. Both sides
+/// leave multiplier arrays out: the miter compares their operands, and their products are free. Files go into
+/// `folder`.
 ///
 /// # Errors
 /// [`VerilogError`] when yosys is missing or refuses, or names do not correspond.
@@ -88,8 +89,8 @@ pub fn compared(design: &Design, source: &str, folder: &Path) -> Result<Miter, V
     Ok(Miter::new(&own, &read)?)
 }
 
-/// A name of ours as it is in the Verilog, with the brackets of a bit and the dots of the hierarchy kept. Ports of the top,
-/// which have no path, end in `suffix`.
+/// One of our names as the Verilog has it, with the brackets of a bit and the dots of the hierarchy kept. Ports of
+/// the top, which have no path, end in `suffix`.
 fn verilog_name(name: &str, suffix: &str) -> String {
     let (word, bit) = match name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
         Some((word, bit)) => (word, format!("[{bit}]")),
@@ -103,7 +104,7 @@ fn verilog_name(name: &str, suffix: &str) -> String {
     format!("{word}{bit}")
 }
 
-/// Gives everything another name, by its own and what ports of its kind end in.
+/// Renames everything: `name` gets the old name, and the suffix of ports of its kind.
 fn rename(aig: &mut Aig, name: impl Fn(&str, &str) -> String) {
     for position in 0..aig.inputs().len() {
         let new = name(&aig.inputs()[position].name, "_i");

@@ -27,7 +27,7 @@ pub fn buffer(mapped: &mut Mapped, aig: &Aig, library: &Library) {
     for (position, register) in mapped.registers.iter().enumerate() {
         readers[register.data as usize].push(Reader::Data(position));
     }
-    // The gates that come before all others, for nets without a driver among the gates, and behind each gate.
+    // The buffers that come before all gates, for nets that no gate drives, and those behind each gate.
     let mut first: Vec<Gate> = Vec::new();
     let mut behind: Vec<Vec<Gate>> = vec![Vec::new(); mapped.gates.len()];
     let mut driver = vec![None; mapped.nets];
@@ -51,7 +51,7 @@ pub fn buffer(mapped: &mut Mapped, aig: &Aig, library: &Library) {
                 for &reader in group {
                     redirect(mapped, &mut ranks, reader, output);
                 }
-                // A reader behind the netlist's gates is a buffer of this net.
+                // A reader with a number beyond the netlist's gates is a buffer of this net.
                 next.push(Reader::Gate(mapped.gates.len() + ranks.len(), 0));
                 ranks.push(Gate { cell, inputs: vec![net as u32], output, origin });
             }

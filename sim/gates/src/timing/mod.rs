@@ -1,4 +1,4 @@
-//! Static timing of a mapped netlist from a library's delay tables, and what makes it faster: buffers and larger cells.
+//! Static timing of a mapped netlist from a library's delay tables. Buffers and larger cells make the netlist faster.
 //!
 //! Wires have no capacitance and no delay; the clock arrives everywhere at once, with the transition time of an inverter
 //! that drives four of its kind, as do the inputs.
@@ -48,7 +48,7 @@ impl Timing {
 pub fn reference_slew_ns(library: &Library) -> f64 {
     let inverter = &library.cells[library.inverter()];
     let load = 4.0 * inverter.capacitance_ff[0];
-    // Its own input has that transition time too: a few rounds come close.
+    // The input of that inverter has the same transition time; a few rounds come close to it.
     (0..8).fold(0.0, |slew, _| inverter.arcs[0].transition_ns[0].at(slew, load))
 }
 

@@ -13,8 +13,8 @@ const NEAR_CRITICAL: f64 = 0.04;
 /// Rounds without progress before the end.
 const PATIENCE: usize = 6;
 
-/// Replaces cells by larger ones of equal function until no replacement shortens the longest path, or `target_ns` is
-/// met; cells whose load exceeds what the library allows are replaced first. The timing of the result.
+/// Replaces cells by larger ones of equal function until no replacement shortens the longest path, or until the path
+/// meets `target_ns`. Cells whose load exceeds what the library allows come first. Returns the timing of the result.
 pub fn size(mapped: &mut Mapped, library: &Library, target_ns: f64) -> Timing {
     let families = families(library);
     let mut timing = analyse(mapped, library);
@@ -77,7 +77,7 @@ fn families(library: &Library) -> BTreeMap<usize, Vec<usize>> {
     families
 }
 
-/// Replaces every gate near the longest path that is faster so; whether there was any.
+/// Replaces every gate near the longest path that a larger cell makes faster. Returns whether there was any.
 fn upsize(
     mapped: &mut Mapped,
     library: &Library,

@@ -29,7 +29,7 @@ macro_rules! constant_shifts {
         #[inline]
         #[target_feature(enable = "avx2")]
         pub fn $name<const N: u32>(a: Word) -> Word {
-            // The instruction with an immediate amount comes of this: the amount is known.
+            // The compiler knows the amount, and makes the instruction with an immediate amount of this.
             $intrinsic(a, _mm_cvtsi32_si128(N as i32))
         }
     )* };
@@ -59,8 +59,8 @@ operations! {
     select_w(select: Bit, when_true: Word, when_false: Word) -> Word =
         _mm256_blendv_epi8(when_false, when_true, select);
     leading_zeros_w(a: Word) -> Word = {
-        // The exponent of the number as a float; without the bit below its leading one it is not rounded up to a power
-        // of two. A set top bit makes the float negative, and the difference with it.
+        // The exponent of the number as a float. The bit below the leading one is cleared, so that the conversion
+        // does not round up to a power of two. A set top bit makes the float negative, and with it the difference.
         let clear = _mm256_andnot_si256(_mm256_srli_epi32::<1>(a), a);
         let exponent = _mm256_srli_epi32::<23>(_mm256_castps_si256(_mm256_cvtepi32_ps(clear)));
         _mm256_max_epi32(_mm256_sub_epi32(word(158), exponent), word(0))

@@ -7,8 +7,8 @@
 //! | `Double` | up to 64 bits of each lane | two [`Row`]s, the low halves first |
 //!
 //! A set works on a chunk of the lanes at a time: all 16 with AVX-512, 8 with AVX2, one without either. Words are
-//! unsigned; sums, differences and products wrap around at 32 or 64 bits; a shift by the lane's width or more
-//! gives zero. `leading_zeros_w` counts those of 32 bits, of which at least one is set.
+//! unsigned; sums, differences and products wrap around at 32 or 64 bits; a shift by the lane's width or more gives
+//! zero. `leading_zeros_w` counts the leading zeros of a word of 32 bits that has at least one bit set.
 
 // Which operations the programs use depends on the hardware that they are made from.
 #[cfg(target_arch = "x86_64")]
@@ -30,12 +30,13 @@ pub struct Row(pub [u32; LANES]);
 
 /// A bit of each lane, lane 0 lowest.
 ///
-/// Wider than it needs to be: bits side by side would be gathered into vectors for a few operations on them, at a loss.
+/// The type is wider than it needs to be. If the bits lay side by side, the compiler would gather them into vectors
+/// for a few operations, at a loss.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C, align(4))]
 pub struct Bits(pub u16);
 
-/// What follows from other operations in every set.
+/// Operations that follow from others in every set.
 macro_rules! derived_operations {
     ($(#[$attribute:meta])*) => {
         /// Bits chosen by a bit.
@@ -103,7 +104,7 @@ use derived_operations;
 
 /// Doubles as pairs of words, in terms of the set's operations on those.
 ///
-/// Narrowing and widening, which vectors of 64-bit lanes need instructions across lanes for, then cost nothing.
+/// Narrowing and widening then cost nothing; with vectors of 64-bit lanes they would need instructions across lanes.
 #[cfg(target_arch = "x86_64")]
 macro_rules! doubles_of_words {
     (#[$attribute:meta]) => {
@@ -136,7 +137,7 @@ macro_rules! doubles_of_words {
                 Double { low, high: add_w(high, cross) }
             };
             shl_d(a: Double, by: Word) -> Double = {
-                // One of the two counterparts is beyond 32 bits, and gives zero.
+                // One of the two amounts is beyond 32, and its shift gives zero.
                 let (less, more) = (sub_w(word(32), by), sub_w(by, word(32)));
                 let crossing = or_w(shr_w(a.low, less), shl_w(a.low, more));
                 Double { low: shl_w(a.low, by), high: or_w(shl_w(a.high, by), crossing) }

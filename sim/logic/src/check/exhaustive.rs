@@ -1,6 +1,7 @@
 //! All pairs of operands of a format of at most 16 bits, in every mode of the unit.
 //!
-//! A block is one first operand in one mode with all second operands, fed back to back, one in each lane and cycle.
+//! A block is one first operand in one mode with all second operands. They are fed back to back, one in each lane and
+//! cycle.
 
 use super::Totals;
 use super::oracle::Oracle;
@@ -60,7 +61,7 @@ impl Operation {
         }
     }
 
-    /// The unit that does it.
+    /// The unit that computes the operation.
     #[must_use]
     pub fn top(self) -> Top {
         match self {
@@ -90,7 +91,7 @@ impl Operation {
         }
     }
 
-    /// The inputs that say what the unit is to do, with their values in a mode.
+    /// The inputs that select the operation, with their values in a mode.
     fn control(self, mode: u32) -> Vec<(&'static str, u32)> {
         match self {
             Self::Add | Self::Sub => {
@@ -140,7 +141,7 @@ fn rounding(mode: u32) -> Rounding {
     Rounding::ALL[mode as usize]
 }
 
-/// A check of all pairs that can be interrupted: what has been done is plain data.
+/// The progress of a check of all pairs, as plain data, so that the check can be interrupted.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Progress {
@@ -182,7 +183,7 @@ impl Exhaustive {
     /// For a format wider than [`MAX_WIDTH`].
     ///
     /// # Panics
-    /// If the unit does not elaborate, which a test of `hdl` rules out.
+    /// If the unit does not elaborate, which a test of `pipelines` rules out.
     pub fn new(format: StandardFormat, operation: Operation) -> Result<Self, TooManyPairs> {
         if format.format().width() > MAX_WIDTH {
             return Err(TooManyPairs(format));
@@ -196,7 +197,7 @@ impl Exhaustive {
         })
     }
 
-    /// The same for another netlist with the unit's ports.
+    /// The same check for another netlist with the unit's ports.
     #[must_use]
     pub fn with_netlist(self, netlist: Flat) -> Self {
         Self { netlist, ..self }
@@ -221,7 +222,8 @@ impl Exhaustive {
         u64::from(self.operation.modes()) << self.format.format().width()
     }
 
-    /// Does the next `blocks`, or what is left, with the compiled unit if there is one, else with the interpreter.
+    /// Checks the next `blocks`, or those that are left, with the compiled unit if there is one, and otherwise with
+    /// the interpreter.
     pub fn advance(&self, progress: &mut Progress, blocks: u64) {
         match compiled::program(self.operation.top(), self.format) {
             Some(program) => self.advance_with(progress, blocks, || Compiled::new(program)),
@@ -267,7 +269,7 @@ impl Exhaustive {
         let (mut bs, mut shown) = (vec![0; lanes], vec![0; lanes]);
         let mut totals = Totals::default();
         for cycle in 0..cycles + latency {
-            // Beyond the last operand the pipeline is emptied.
+            // After the last operand, bubbles empty the pipeline.
             for (lane, b) in bs.iter_mut().enumerate() {
                 *b = (cycle * lanes + lane) as u32 & format.mask();
             }

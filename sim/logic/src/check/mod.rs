@@ -1,9 +1,9 @@
 //! The simulated hardware against the specification, in volume.
 //!
 //! [`volume`] draws operations of every class from a seed, with stalls, bubbles and tags, and compares the compiled
-//! netlist with golden's traversal steps and with the [`oracle`]; [`exhaustive`] goes through all pairs of operands of a
-//! small format. Both work in blocks that a thread does alone and that are drawn from the block's number: results do not
-//! depend on the number of threads.
+//! netlist with golden's traversal steps and with the [`oracle`]; [`exhaustive`] goes through all pairs of operands
+//! of a small format. Both work in blocks. One thread does a whole block, and the block's number decides what is in
+//! it, so results do not depend on the number of threads.
 
 pub mod exhaustive;
 mod operations;

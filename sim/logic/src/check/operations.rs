@@ -1,4 +1,4 @@
-//! What each top is given, and what it has to make of it.
+//! The inputs that each top is given, and the outputs that it must show.
 
 use super::oracle::Oracle;
 use equivalence::Ports;
@@ -15,7 +15,7 @@ use pipelines::catalogue::{StandardFormat, Top};
 /// Outputs that an operation may make claims about: those of eight ray-box pipelines.
 const MAX_CLAIMS: usize = 16;
 
-/// The values that outputs have to show, in the order of [`Operation::outputs`]; the others mean nothing.
+/// The values that claimed outputs must show, in the order of [`Operation::outputs`]. The other values mean nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Claims {
     /// A bit for each output that is claimed.
@@ -145,7 +145,7 @@ impl Operation {
         self.operands.bits()
     }
 
-    /// Drives the next operation in one lane; returns what is to come of it.
+    /// Drives the next operation in one lane, and returns the claims about its outputs.
     pub fn drive(&mut self, engine: &mut impl Engine, lane: usize) -> Claims {
         let mut claims = Claims::default();
         let Self { format, kind, operands: stream, cases, .. } = self;
@@ -253,7 +253,7 @@ impl RayPorts {
     }
 }
 
-/// Two operands; in an eighth of all pairs both are special values, which random pairs hardly ever are.
+/// Two operands. In an eighth of all pairs both are special values; random pairs hardly ever are.
 fn pair(format: Format, stream: &mut Operands, bits: u64) -> (u32, u32) {
     if bits & 7 != 0 {
         return stream.pair();

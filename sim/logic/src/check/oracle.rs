@@ -1,11 +1,12 @@
-//! What the units have to give, by the processor's own floating-point arithmetic: independent of the integer reference
-//! `fp::soft`, and faster.
+//! The results that the units must give, by the processor's own floating-point arithmetic. The oracle is independent
+//! of the integer reference `fp::soft`, and faster.
 //!
-//! Operands are converted to `f64` exactly. A product of two significands of at most 24 bits is exact there. A sum need
-//! not be: it is rounded to odd (Boldo, Melquiond, "Emulation of FMA and Correctly Rounded Sums: Proved Algorithms Using
-//! Rounding to Odd", IEEE Transactions on Computers 57(4), 2008), with the error that Knuth's two-sum gives exactly;
-//! rounding that to any format of at most 51 bits, in any direction, rounds the exact sum. Nothing overflows or becomes
-//! subnormal in `f64`, whose range exceeds the square of every format's here.
+//! The conversion of operands to `f64` is exact. A product of two significands of at most 24 bits is exact in `f64`.
+//! A sum need not be exact. The oracle therefore rounds it to odd (Boldo, Melquiond, "Emulation of FMA and Correctly
+//! Rounded Sums: Proved Algorithms Using Rounding to Odd", IEEE Transactions on Computers 57(4), 2008), with the
+//! error that Knuth's two-sum gives exactly. Rounding the result to any format of at most 51 bits, in any direction,
+//! rounds the exact sum. Nothing overflows or becomes subnormal in `f64`, because its range exceeds the square of the
+//! range of every format here.
 
 use fp::{Comparison, Format, NanMode, Rounding};
 
@@ -111,7 +112,8 @@ impl Oracle {
         let exponent = (bits >> F64_FRACTION_BITS & 0x7ff) as i32 - F64_BIAS;
         let significand = bits & ((1 << F64_FRACTION_BITS) - 1) | 1 << F64_FRACTION_BITS;
         let least = 1 - format.bias();
-        // Below the least normal number the quantum stays as it is; far below, more than 54 dropped bits are as good as 54.
+        // Below the least normal number the quantum stays as it is. Far below it, dropping more than 54 bits has the
+        // effect of dropping 54.
         let subnormal = (least - exponent).max(0) as u32;
         let dropped = (F64_FRACTION_BITS - format.fraction_bits() + subnormal).min(F64_FRACTION_BITS + 2);
         let (kept, rest, half) =
@@ -209,7 +211,7 @@ mod tests {
         }
     }
 
-    /// `SoftFloat` 3e, the reference implementation, by its own words for rounding directions, which are RISC-V's.
+    /// `SoftFloat` 3e, the reference implementation. Its codes of rounding directions are RISC-V's.
     #[test]
     fn the_oracle_is_softfloat() {
         let (half, single) = (Oracle::new(Format::BINARY16), Oracle::new(Format::BINARY32));

@@ -52,7 +52,7 @@ fn totals_do_not_depend_on_threads() {
     assert_eq!(run(1), run(3));
 }
 
-/// Faults that random operands meet seldom are met in volume.
+/// The check in volume finds faults that random operands seldom meet.
 #[test]
 fn faults_are_seen_in_volume() {
     use Change::{Constant, Invert, Replace};
@@ -107,7 +107,7 @@ fn some_blocks_of_binary16() {
     }
 }
 
-/// Work in parts gives what work at once gives.
+/// Work in parts gives the same as work at once.
 #[test]
 fn all_pairs_in_parts() {
     let check = Exhaustive::new(StandardFormat::E4m3, Operation::Mul).unwrap();

@@ -10,13 +10,14 @@ use netlist::{Flat, mask};
 use pipelines::catalogue::{StandardFormat, Top};
 use rayon::prelude::*;
 
-/// Operations compared in a block.
+/// Operations that a block compares.
 const BLOCK_VECTORS: u64 = 1 << 16;
 /// Blocks that are done before their results are added, in order.
 const BLOCKS_AT_ONCE: u64 = 64;
 
-/// Compares at least `vectors` operations of the stream of `seed`, done by the compiled netlist; `progress` is told how
-/// many have been. None where `top` in `format` is not compiled or has no specification.
+/// Compares at least `vectors` operations of the stream of `seed`, which the compiled netlist executes. Calls
+/// `progress` with the number of operations done. Returns `None` if `top` in `format` is not compiled or has no
+/// specification.
 #[must_use]
 pub fn volume(
     top: Top,
@@ -86,7 +87,7 @@ impl Line {
         &self.operations[self.head]
     }
 
-    /// An enabled cycle: the oldest leaves, another enters.
+    /// Goes on by an enabled cycle: the oldest operation leaves, another enters.
     fn advance(&mut self, next: InFlight) {
         self.operations[self.head] = next;
         self.head = (self.head + 1) % self.operations.len();
@@ -100,7 +101,7 @@ struct Block<'n, E> {
     engine: E,
     operation: Operation,
     lines: Vec<Line>,
-    /// What goes into each lane in this cycle, and whether it is enabled.
+    /// The operation that goes into each lane in this cycle, and whether the lane is enabled.
     next: Vec<(InFlight, bool)>,
     enable: usize,
     valid: usize,
@@ -143,7 +144,7 @@ impl<'n, E: Engine> Block<'n, E> {
         let lanes = self.engine.lanes();
         let cycle = self.totals.cycles / lanes as u64;
         for lane in 0..lanes {
-            // An eighth of all cycles stalls, an eighth of the others is a bubble.
+            // An eighth of all cycles are stalls; an eighth of the others are bubbles.
             let bits = self.operation.bits();
             let (enable, valid, tag) = (bits & 7 != 0, bits >> 3 & 7 != 0, u128::from(bits >> 6) & tags);
             self.engine.set_input(self.enable, lane, enable.into());
@@ -197,7 +198,7 @@ impl<'n, E: Engine> Block<'n, E> {
     }
 }
 
-/// A block by way of [`Model`], which knows every top and is much slower.
+/// A block with the claims of [`Model`], which knows every top and is much slower.
 fn modelled<E: Engine>(
     block: &str,
     top: Top,

@@ -262,7 +262,7 @@ fn compare<T: Value>(
     u128: AsPrimitive<T>,
     u32: AsPrimitive<T>,
 {
-    // Moved to the top of the word with the sign flipped, signed numbers order like unsigned ones.
+    // Signed numbers order like unsigned ones when they are moved to the top of the word and their sign is flipped.
     let (up, sign) = (instruction.shift as usize, T::one() << (T::BITS as usize - 1));
     let key = |x: T| (x << up) ^ sign;
     match test {
@@ -284,7 +284,7 @@ where
     let keep: T = instruction.mask.as_();
     let left = instruction.operation == Operation::ShiftLeft;
     for lane in 0..LANES {
-        // The amount within the word, so that the shift is defined; what is beyond it gives zero.
+        // The amount is reduced to the word, so that the shift is defined. An amount beyond the word gives zero.
         let (by, inside) = ((amount[lane] & (T::BITS - 1)) as usize, amount[lane] < T::BITS);
         let moved = if left { a[lane] << by } else { a[lane] >> by };
         out[lane] = if inside { moved & keep } else { T::zero() };
@@ -308,7 +308,7 @@ where
         Operation::Word(_) => binary(out, a, b, |a, b| a.wrapping_mul(&b) & keep),
         Operation::Join => binary(out, a, b, |a, b| a << up | b),
         _ => {
-            // A sign bit that is subtracted twice is extended.
+            // Flipping the sign bit and subtracting it extends the sign.
             let sign = T::one() << up;
             binary(out, a, b, |a, _| (a ^ sign).wrapping_sub(&sign) & keep);
         }

@@ -1,4 +1,4 @@
-//! From a flattened netlist to instructions on columns.
+//! Turns a flattened netlist into instructions on columns.
 
 use super::columns::Columns;
 use super::instruction::{Instruction, Operation, Place, Size};
@@ -96,7 +96,7 @@ impl Compiler<'_> {
         to
     }
 
-    /// A value brought to a size that holds it.
+    /// The value, converted to a size that holds it.
     fn in_size(&mut self, place: Place, size: Size) -> Place {
         if place.size == size { place } else { self.emit(Operation::Convert, size, [place; 3], 0, u128::MAX) }
     }

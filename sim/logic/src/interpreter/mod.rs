@@ -1,9 +1,9 @@
-//! The interpreter: any flattened netlist, made at run time.
+//! The interpreter, which takes any flattened netlist at run time.
 //!
-//! Nodes become instructions in order of level and, within a level, of operation, so that the same code runs many times
-//! in a row. Each instruction works on columns, the values of all lanes; a column holds 32, 64 or 128 bits for each
-//! lane, as its node's width needs. What only renames bits (a zero extension within a column's size) takes no
-//! instruction.
+//! Nodes become instructions in order of level and, within a level, of operation, so that the same code runs many
+//! times in a row. Each instruction works on columns, the values of all lanes; a column holds 32, 64 or 128 bits for
+//! each lane, as its node's width needs. A node that only renames bits (a zero extension within a column's size)
+//! takes no instruction.
 
 mod columns;
 mod compile;
@@ -111,11 +111,11 @@ impl Engine for Interpreter {
                 && is_x86_feature_detected!("avx512dq")
                 && is_x86_feature_detected!("avx512vl")
             {
-                // SAFETY: the features were found.
+                // SAFETY: the processor has the features.
                 return unsafe { self.run_avx512() };
             }
             if is_x86_feature_detected!("avx2") {
-                // SAFETY: the feature was found.
+                // SAFETY: the processor has the feature.
                 return unsafe { self.run_avx2() };
             }
         }

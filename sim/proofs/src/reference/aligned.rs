@@ -56,7 +56,7 @@ pub fn add(
     let minus = aig.xor(high.sign, low.sign);
     let term: Vec<Lit> = low_word.iter().map(|&bit| aig.xor(bit, minus)).collect();
     let (sum, _) = words::add(aig, ADDER, &high_word, &term, minus);
-    // Only numbers of one exponent can differ by less than nothing.
+    // Only a difference of numbers with one exponent can be negative.
     let negative = if distance == 0 { sum[width - 1] } else { Lit::FALSE };
     let flipped: Vec<Lit> = sum[..width - 1].iter().map(|&bit| aig.xor(bit, negative)).collect();
     let (magnitude, _) = words::add(aig, ADDER, &flipped, &vec![Lit::FALSE; width - 1], negative);

@@ -13,7 +13,7 @@ fn fixed(aig: &mut Aig, format: Format, parts: &Parts) -> Vec<Lit> {
     let normal = words::any(aig, &parts.exponent);
     let mut significand = parts.fraction.clone();
     significand.push(normal);
-    // The field counts from 1 for normal numbers, whose shift counts from 0, as that of subnormals does.
+    // The field of a normal number counts from 1; its shift counts from 0, like that of subnormals.
     let all_ones = vec![Lit::TRUE; parts.exponent.len()];
     let (less_one, _) = words::add(aig, ADDER, &parts.exponent, &all_ones, Lit::FALSE);
     let shift: Vec<Lit> = less_one.into_iter().map(|bit| aig.and(bit, normal)).collect();
@@ -57,7 +57,7 @@ pub(super) fn zero_sign(aig: &mut Aig, x: &Parts, y: &Parts, rounding: &[Lit]) -
     aig.mux(same_sign, both_negative, down)
 }
 
-/// What infinities and NaNs make of a sum.
+/// The part of a sum that infinities and NaNs decide.
 pub(super) struct SpecialSum {
     /// An operand is infinite.
     pub infinity: Lit,
@@ -203,7 +203,7 @@ impl CutResult {
     }
 }
 
-/// Adds to body, guard and sticky those of a magnitude that is cut below bit `low`, if `here`.
+/// If `here`, adds body, guard and sticky of a magnitude that is cut below bit `low`.
 fn choose(
     aig: &mut Aig,
     here: Lit,

@@ -1,5 +1,5 @@
-//! Circuits that do the same in another way, built from the words of the specification: what the hardware is proved
-//! against. They share word operators with the hardware's gates, and nothing of its design.
+//! The circuits that the hardware is proved against. They compute the same in another way, which follows the words of
+//! the specification. They share word operators with the hardware's gates, and nothing of its design.
 
 pub mod aligned;
 pub mod exact;

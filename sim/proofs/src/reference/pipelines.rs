@@ -1,9 +1,9 @@
 //! The control of both pipelines: everything but adders and multipliers, whose results are free.
 //!
-//! Written from `golden::dst::step` and `golden::bvh::box_step`: for each node type a result of its own, and the type
-//! chooses last, where the hardware lets all types flow through the same units. Minimum, maximum and comparison are the
-//! gates of those units, which have proofs of their own; folds are associated as in the hardware, as golden's are
-//! associative bit for bit.
+//! The reference follows `golden::dst::step` and `golden::bvh::box_step`. It computes a result for each node type,
+//! and the type chooses last; the hardware lets all types flow through the same units. Minimum, maximum and
+//! comparison are the gates of those units, which have proofs of their own; folds are associated as in the hardware,
+//! as golden's are associative bit for bit.
 
 use super::ADDER;
 use gates::aig::{Aig, Lit, Node};
@@ -11,7 +11,7 @@ use gates::prove::copy;
 use gates::words;
 use golden::dst::header::{self, Field};
 
-/// What the claims are made of: named words that exist, and claims about named words.
+/// Builds claims from the inputs and units of a pipeline.
 pub struct Control<'a> {
     /// The graph that the reference is built in.
     pub aig: &'a mut Aig,
@@ -140,7 +140,7 @@ impl Control<'_> {
                 (format!("multiply${i}.a_i"), difference),
                 (format!("multiply${i}.b_i"), reciprocal),
             ] {
-                // What a bare leaf's planes are tested with is free.
+                // The operands for a bare leaf's planes are free.
                 claims.push(Claim { name, when: !bare_leaf, value });
             }
             planes.push((is_exit, negative, self.word(&format!("multiply${i}.result_o"))));
@@ -250,7 +250,7 @@ impl Control<'_> {
         claims
     }
 
-    /// Valid and tag, which come out as they went in.
+    /// The claims about valid and tag, which come out as they went in.
     fn passed_on(&self) -> impl Iterator<Item = Claim> {
         let claim = |what: &str| Claim {
             name: format!("{what}_o"),

@@ -1,4 +1,4 @@
-//! Gates against hdl's evaluator, cycle by cycle, with bubbles and stalls, every output and register bit.
+//! Gates against the evaluator of `netlist`, cycle by cycle, with bubbles and stalls, every output and register bit.
 
 use equivalence::Stimulus;
 use gates::aiger::{self, Form};

@@ -75,7 +75,7 @@ impl<T: Copy> Picture<T> {
         Self { width, height, pixels: vec![colour; width as usize * height as usize] }
     }
 
-    /// Sets the pixel at (`x`, `y`); outside the picture nothing happens.
+    /// Sets the pixel at (`x`, `y`). Does nothing outside the picture.
     pub fn set(&mut self, x: u32, y: u32, colour: [T; 3]) {
         if x < self.width && y < self.height {
             self.pixels[y as usize * self.width as usize + x as usize] = colour;

@@ -48,7 +48,7 @@ pub struct Series {
     pub name: String,
     /// How they are drawn.
     pub style: Style,
-    /// In the order in which they are joined.
+    /// The points, in the order in which they are joined.
     pub points: Vec<Point>,
 }
 
@@ -61,11 +61,11 @@ pub struct Chart {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// What is drawn, first below.
+    /// The series, the first one below the others.
     pub series: Vec<Series>,
 }
 
-/// Without the legend.
+/// Height in pixels without the legend.
 const HEIGHT: u32 = 440;
 const MARKER: i32 = 4;
 
@@ -96,7 +96,7 @@ impl Axis {
             (false, false) => (0.0, 1.0),
             (true, true) => ((low / 1.5).max(f64::MIN_POSITIVE), (high * 1.5).min(f64::MAX)),
             (true, false) => {
-                // Zero belongs to a scale that comes near it: lengths can then be compared.
+                // A scale that comes near zero includes zero, so that lengths can be compared.
                 let low = if low >= 0.0 && low < high / 2.0 { 0.0 } else { low };
                 let margin = if high > low { 0.06 * (high - low) } else { 0.5 * high.abs().max(1.0) };
                 (if low == 0.0 { 0.0 } else { low - margin }, high + margin)

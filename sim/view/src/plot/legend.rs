@@ -1,13 +1,13 @@
-//! Names of series above a drawing, where they hide nothing.
+//! Names of series, above the drawing, where they hide nothing.
 
 use super::{WIDTH, text_width};
 
 const LINE: i32 = 20;
 const LEFT: i32 = 8;
-/// Of an entry, beside its text.
+/// Pixels of an entry beside its text.
 const MARK_AND_GAP: i32 = 34;
 
-/// Where the name of each series stands; nothing for a single one.
+/// Where the name of each series stands. A single series has no entry.
 pub struct Legend {
     pub entries: Vec<Entry>,
 }
@@ -20,7 +20,7 @@ pub struct Entry {
 }
 
 impl Legend {
-    /// From left to right, in as many lines as it takes.
+    /// Places the names from left to right, in as many lines as they take.
     pub fn new<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> Self {
         let (mut x, mut y) = (LEFT, 0);
         let mut entries = vec![];
@@ -38,7 +38,7 @@ impl Legend {
         Self { entries }
     }
 
-    /// Of all lines, in pixels.
+    /// Height of all lines in pixels.
     pub fn height(&self) -> i32 {
         self.entries.last().map_or(0, |entry| entry.y + LINE)
     }

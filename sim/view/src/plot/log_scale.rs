@@ -1,4 +1,5 @@
-//! Logarithmic scales, with ticks at 1, 2 and 5 of each decade; fewer over many decades, more within one.
+//! Logarithmic scales, with ticks at 1, 2 and 5 of each decade. There are fewer ticks over many decades, and more
+//! within one.
 
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use std::ops::Range;
@@ -10,7 +11,7 @@ pub struct LogScale {
     high: f64,
 }
 
-/// Fewer ticks do not show where values lie.
+/// The fewest ticks that show where values lie.
 const LEAST: usize = 3;
 
 impl LogScale {
@@ -27,7 +28,7 @@ impl LogScale {
     fn ticks(&self, most: usize) -> Vec<f64> {
         let fits = |ticks: &Vec<f64>| ticks.len() <= most;
         let all = std::iter::once(self.at_digits([1, 2, 5], 1));
-        // No two numbers are more decades apart.
+        // No two numbers are more than 700 decades apart.
         let sparser = (1..=700).map(|decades| self.at_digits([1], decades));
         let found = all.chain(sparser).find(fits).unwrap_or_default();
         if found.len() >= LEAST {
@@ -37,7 +38,7 @@ impl LogScale {
         denser.into_iter().find(|ticks| fits(ticks) && ticks.len() >= LEAST).unwrap_or(found)
     }
 
-    /// Those `digits` in every so many `decades`.
+    /// Ticks at `digits`, in one of so many `decades`.
     fn at_digits(&self, digits: impl IntoIterator<Item = u32> + Clone, decades: i32) -> Vec<f64> {
         let exponent = |value: f64| value.log10().floor() as i32;
         let all = exponent(self.low)..=exponent(self.high) + 1;
@@ -54,7 +55,7 @@ impl LogScale {
         let ticks = |(digit, exponent): (u32, i32)| {
             let step = in_decimal(digit, exponent);
             let (first, last) = ((self.low / step).ceil(), (self.high / step).floor());
-            // Counted, so that rounding does not add up: a thousand steps at most.
+            // The steps are counted, so that rounding does not add up. There are a thousand at most.
             (0..=(last - first) as usize).map(|n| (first + n as f64) * step).collect::<Vec<_>>()
         };
         steps.map(ticks).find(|ticks| ticks.len() <= most).unwrap_or_default()

@@ -1,4 +1,4 @@
-//! What a page consists of, and its HTML.
+//! The parts of a page, and its HTML.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -11,7 +11,7 @@ pub struct Page {
     pub title: String,
     /// Paragraphs below the heading.
     pub summary: Vec<String>,
-    /// In order of reading.
+    /// The sections, in order of reading.
     pub sections: Vec<Section>,
 }
 
@@ -46,7 +46,7 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
     /// The file with the numbers, relative to the page; none if empty.
     pub csv: String,
-    /// The command that makes them again; none if empty.
+    /// The command that makes the numbers again; none if empty.
     pub command: String,
 }
 
@@ -83,7 +83,7 @@ impl Table {
         }
     }
 
-    /// The same with the file and the command that belong to it.
+    /// Adds the CSV file and the command that belong to the table.
     #[must_use]
     pub fn from(mut self, csv: &str, command: &str) -> Self {
         (self.csv, self.command) = (csv.to_owned(), command.to_owned());
@@ -169,7 +169,7 @@ impl Picture {
     }
 }
 
-/// Where numbers are from.
+/// The line that names the file and the command of some numbers.
 fn source(csv: &str, command: &str) -> String {
     let mut parts = vec![];
     if !csv.is_empty() {

@@ -7,8 +7,8 @@
 //! | each specialisation of adder and multiplier in the pipelines | `units.v` | the same |
 //! | both pipelines and their lean forms | `dual_split.v`, `ray_box.v`: the step as documented | adders and multipliers |
 //!
-//! The proofs regard registers as wires. That suffices, as units and pipelines are plain pipelines, which is checked too: all
-//! paths from inputs to outputs have equally many registers, and `en_i` enables every one.
+//! The proofs regard registers as wires. That suffices because units and pipelines are plain pipelines: all paths
+//! from inputs to outputs have equally many registers, and `en_i` enables every register. A test checks both.
 //!
 //! Tested only, not proved: formats between 8 and 32 bits, flushed subnormals, the routing of the shared block.
 
@@ -44,7 +44,7 @@ fn binary32_unit(design: &Design) -> Result<(), String> {
     Proof { design, format, sides, files: &[], left_out }.run()
 }
 
-/// A pipeline, but for its adders and multipliers.
+/// A pipeline without its adders and multipliers.
 fn pipeline(top: Top, design: &Design) -> Result<(), String> {
     let files: &[&str] = match top {
         Top::DualSplit | Top::DualSplitLean => &["dual_split.v"],
@@ -74,7 +74,7 @@ fn units_of_eight_bits_are_exact() {
     });
 }
 
-/// What is proved about binary32 rests on `units.v`, which is thus more than another opinion.
+/// The proofs about binary32 rest on `units.v`. This proof compares `units.v` itself with exact integers, in eight bits.
 #[test]
 fn the_references_agree_in_eight_bits() {
     if !long("proofs of the references") || !provers_available() {
@@ -102,7 +102,7 @@ fn units_of_binary32_are_ieee_754() {
     });
 }
 
-/// Elaboration makes an adder that only subtracts, and leaves out what nobody reads.
+/// Elaboration makes an adder that only subtracts, and leaves out the outputs that nothing reads.
 #[test]
 fn specialised_units_of_binary32_are_ieee_754() {
     if !long("proofs of specialised units") || !provers_available() {
@@ -139,7 +139,7 @@ fn pipelines_make_the_documented_steps() {
     });
 }
 
-/// What allows the proofs to regard registers as wires.
+/// The conditions under which the proofs may regard registers as wires.
 #[test]
 fn units_and_pipelines_are_plain_pipelines() {
     for &format in StandardFormat::ALL {

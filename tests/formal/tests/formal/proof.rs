@@ -7,7 +7,7 @@ use std::fmt::Write;
 use testing::tools::prove;
 
 /// The references, in Verilog.
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/formal");
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/verilog");
 
 /// What a proof leaves out: a black box, whose operands are proved equal on both sides and whose results are any words.
 #[derive(Clone, Copy, PartialEq)]
@@ -58,7 +58,7 @@ impl Proof<'_> {
         self.design.modules.iter().filter(|module| self.left_out.includes(module))
     }
 
-    /// Adders and multipliers with any result, in place of those left out.
+    /// Adders and multipliers with any result, in place of those that are left out.
     fn stubs(&self) -> String {
         let mut stubs = String::new();
         if self.left_out != LeftOut::Arithmetic {
@@ -112,7 +112,7 @@ impl Proof<'_> {
         script
     }
 
-    /// The operands of what is left out: wires of the flattened sides, which become outputs.
+    /// The operands of the parts that are left out: wires of the flattened sides, which become outputs.
     fn operands(&self) -> Vec<String> {
         let left_out = |instance: &&Instance| self.left_out.includes(self.design.module(instance.module));
         let instances = self.design.top().instances.iter().filter(left_out);

@@ -11,7 +11,7 @@ use crate::procedural::shapes::{block_on, catmull_rom, lathe, torus, tube};
 
 const CLOTH: u64 = 41;
 
-/// A wooden chair with a woven seat; who sits in it looks along z.
+/// A wooden chair with a woven seat. A person in it looks along z.
 pub(super) fn chair(b: &mut MeshBuilder) {
     let half = 0.21;
     let seat = 0.46;
