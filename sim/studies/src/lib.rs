@@ -1,4 +1,5 @@
-//! What is found out with the crates of dualsplit. Each study computes a result and prints nothing; the tool prints it.
+//! What is found out with the crates of dualsplit. Each command of the tool is a function here: it takes plain options,
+//! tells [`progress`] how far it is, and returns a typed result. The tool parses arguments and prints.
 //!
 //! | module | question |
 //! |---|---|
@@ -8,6 +9,9 @@
 //! | [`needs`] | What is the least hardware for a scene? |
 //! | [`walk`] | What does the traversal of one ray do, step by step? |
 //! | [`drive`] | Which inputs do a scene's rays give to each unit? |
+//! | [`study`] | Which structure is fastest on the machine, and does it agree with the published results? |
+//! | [`estimation`] | What do the pipelines cost? |
+//! | [`reproduce`] | All of it, on one page. |
 //!
 //! ```
 //! use golden::build::{BuildOptions, Quality, build};
@@ -27,9 +31,27 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod artifacts;
 pub mod charts;
+pub mod check;
+pub mod compare;
 pub mod drive;
+pub mod estimation;
+pub mod explain;
+pub mod export;
 pub mod fidelity;
+pub mod input;
 pub mod needs;
+pub mod picture;
+pub mod progress;
+pub mod prove;
+pub mod reproduce;
+pub mod simulate;
 pub mod stress;
+pub mod study;
+pub mod table;
+pub mod trace;
+pub mod trees;
 pub mod walk;
+pub mod wave;
+pub mod work;

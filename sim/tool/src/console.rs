@@ -1,10 +1,12 @@
-//! Standard output, tables and progress.
+//! Standard output and progress.
 
-use comfy_table::{CellAlignment, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
-use std::fmt::Display;
 use std::io::{self, Write};
+use std::sync::Mutex;
+use studies::progress::Progress;
+
+pub use studies::table::{fixed, table};
 
 /// What a command has to say.
 pub struct Report {
@@ -43,35 +45,58 @@ pub fn print(text: &str) -> io::Result<()> {
     }
 }
 
-/// A Markdown table. Columns that hold numbers only, or nothing, are aligned to the right.
-pub fn table<const N: usize>(header: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
-    let rows: Vec<[String; N]> = rows.into_iter().collect();
-    let is_number =
-        |column: usize| rows.iter().all(|row| row[column].is_empty() || row[column].parse::<f64>().is_ok());
-    let numbers: [bool; N] = std::array::from_fn(is_number);
-    let mut table = Table::new();
-    table.load_style(presets::ASCII_MARKDOWN).set_header(header).add_rows(rows);
-    for (column, _) in table.column_iter_mut().zip(numbers).filter(|(_, number)| *number) {
-        column.set_cell_alignment(CellAlignment::Right);
+/// Bars and turning wheels on stderr, hidden where that is no terminal; the last of them is the one that moves.
+#[derive(Default)]
+pub struct Bars(Mutex<Vec<ProgressBar>>);
+
+impl Bars {
+    fn last(&self, act: impl FnOnce(&ProgressBar)) {
+        if let Some(bar) = self.0.lock().expect("no bar panics").last() {
+            act(bar);
+        }
     }
-    format!("{table}\n")
 }
 
-/// A number with `decimals` decimals.
-pub fn fixed(x: impl Into<f64>, decimals: usize) -> String {
-    format!("{:.decimals$}", x.into())
+impl Progress for Bars {
+    fn begin(&self, total: u64, what: &str) {
+        let bar = if total == 0 { spinner(what) } else { bar(total, what) };
+        self.0.lock().expect("no bar panics").push(bar);
+    }
+
+    fn advance(&self, steps: u64) {
+        self.last(|bar| bar.inc(steps));
+    }
+
+    fn at(&self, steps: u64) {
+        self.last(|bar| bar.set_position(steps));
+    }
+
+    fn next(&self, what: &str) {
+        self.last(|bar| bar.set_message(what.to_owned()));
+    }
+
+    fn note(&self, line: &str) {
+        match self.0.lock().expect("no bar panics").last() {
+            Some(bar) => bar.println(line),
+            None => eprintln!("{line}"),
+        }
+    }
+
+    fn end(&self) {
+        if let Some(bar) = self.0.lock().expect("no bar panics").pop() {
+            bar.finish_and_clear();
+        }
+    }
 }
 
-/// A bar on stderr, hidden where that is no terminal.
-pub fn progress(length: u64, label: impl Display) -> ProgressBar {
+fn bar(length: u64, label: &str) -> ProgressBar {
     let style =
         ProgressStyle::with_template("{msg:28} {bar:30} {pos}/{len} {elapsed}").expect("a valid template");
-    ProgressBar::new(length).with_style(style).with_message(label.to_string())
+    ProgressBar::new(length).with_style(style).with_message(label.to_owned())
 }
 
-/// A turning wheel on stderr, hidden where that is no terminal.
-pub fn spinner(label: impl Display) -> ProgressBar {
-    let bar = ProgressBar::new_spinner().with_message(label.to_string());
+fn spinner(label: &str) -> ProgressBar {
+    let bar = ProgressBar::new_spinner().with_message(label.to_owned());
     bar.enable_steady_tick(std::time::Duration::from_millis(120));
     bar
 }

@@ -1,10 +1,8 @@
 //! The tool `dualsplit`.
 
-mod artifacts;
 mod cli;
 mod commands;
 mod console;
-mod input;
 
 use clap::Parser;
 use std::process::ExitCode;

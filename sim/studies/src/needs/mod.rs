@@ -5,6 +5,8 @@
 //! ([`memory`]). A quantity with no sharp limit is read off at the knee of its curve ([`knee`]).
 
 pub mod carves;
+mod files;
 pub mod knee;
 pub mod memory;
 pub mod reuse;
+pub mod study;

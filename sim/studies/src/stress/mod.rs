@@ -27,6 +27,7 @@ mod hardware;
 mod method;
 mod search;
 mod slice;
+pub mod study;
 
 pub use bench::{Bench, Cell, aimed_cells};
 pub use hardware::{Hardware, narrow_case};

@@ -10,9 +10,8 @@ pub use hardware::*;
 pub use shared::*;
 pub use studies::*;
 pub use trees::*;
-pub use values::quality_name;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 
 /// Dual-split trees against bounding volume hierarchies: build, trace, render, compare.
 ///
@@ -25,22 +24,6 @@ pub struct Cli {
     pub global: Global,
     #[command(subcommand)]
     pub command: Option<Command>,
-}
-
-#[derive(Args, Clone, Copy, Debug)]
-pub struct Global {
-    /// Print one JSON document instead of tables.
-    #[arg(long, global = true)]
-    pub json: bool,
-    /// Seed of the built-in scenes, of the renderer's samples and of the checks' stimulus.
-    #[arg(long, global = true, default_value_t = 0, value_name = "N")]
-    pub seed: u64,
-    /// Number of threads; results do not depend on it [default: all processors].
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
-    /// Replace files that exist.
-    #[arg(long, global = true)]
-    pub force: bool,
 }
 
 #[derive(Debug, Subcommand)]

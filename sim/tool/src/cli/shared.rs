@@ -1,4 +1,4 @@
-//! What several commands take: a scene, a view, a structure, a machine.
+//! What all or several commands take: a scene, a view, a structure, a machine.
 
 use super::values::{PipelineCostMethod, mode, pipeline_cost, quality, size, structure, vector};
 use clap::Args;
@@ -6,6 +6,23 @@ use golden::Mode;
 use golden::build::Quality;
 use golden::structure::StructureKind;
 use std::path::PathBuf;
+use studies::input::{SceneSource, StructureSource, View};
+
+#[derive(Args, Clone, Copy, Debug)]
+pub struct Global {
+    /// Print one JSON document instead of tables.
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Seed of the built-in scenes, of the renderer's samples and of the checks' stimulus.
+    #[arg(long, global = true, default_value_t = 0, value_name = "N")]
+    pub seed: u64,
+    /// Number of threads; results do not depend on it [default: all processors].
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Replace files that exist.
+    #[arg(long, global = true)]
+    pub force: bool,
+}
 
 /// Which geometry.
 #[derive(Args, Clone, Debug)]
@@ -16,11 +33,24 @@ pub struct SceneArgs {
     pub detail: DetailArgs,
 }
 
+impl SceneArgs {
+    pub fn source(&self, global: &Global) -> SceneSource {
+        self.detail.source(&self.scene, global)
+    }
+}
+
 #[derive(Args, Clone, Copy, Debug)]
 pub struct DetailArgs {
     /// Fraction of a built-in scene's full number of triangles, above 0 and at most 1.
     #[arg(long, default_value_t = 0.1, value_name = "FRACTION")]
     pub detail: f64,
+}
+
+impl DetailArgs {
+    /// The scene `name` in this detail.
+    pub fn source(self, name: &str, global: &Global) -> SceneSource {
+        SceneSource { name: name.to_owned(), detail: self.detail, seed: global.seed }
+    }
 }
 
 #[derive(Args, Clone, Copy, Debug)]
@@ -60,6 +90,13 @@ pub struct ViewArgs {
     pub size: [u32; 2],
 }
 
+impl ViewArgs {
+    pub fn view(&self) -> View {
+        let Self { eye, target, up, fov, light, size: _ } = *self;
+        View { eye, target, up, fov_y_degrees: fov, light }
+    }
+}
+
 /// The structure that rays are traced through: built, or loaded from a file.
 #[derive(Args, Clone, Debug)]
 pub struct StructureArgs {
@@ -71,6 +108,12 @@ pub struct StructureArgs {
     /// Load the structure from this file, which `dualsplit tree SCENE --save FILE` has written, instead of building it.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["structure", "quality"])]
     pub tree: Option<PathBuf>,
+}
+
+impl StructureArgs {
+    pub fn source(&self) -> StructureSource {
+        StructureSource { kind: self.structure, quality: self.quality.quality, file: self.tree.clone() }
+    }
 }
 
 #[derive(Args, Debug)]

@@ -9,7 +9,7 @@ use golden::structure::StructureKind;
 use machine::frame::MachineStructure;
 use render::Test;
 use std::path::PathBuf;
-use studies::fidelity::Level;
+use studies::simulate::Fidelity;
 use studies::stress::Method;
 
 #[derive(Args, Debug)]
@@ -80,28 +80,6 @@ pub struct FidelityArgs {
     /// The folder to write; one that this command made before is written anew [default: fidelity-SCENE].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-}
-
-/// How closely a frame is simulated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fidelity {
-    /// At this level.
-    Level(Level),
-    /// At the cheapest level and sample that are within the tolerance.
-    Auto,
-}
-
-impl Fidelity {
-    const ALL: [Self; 4] =
-        [Self::Level(Level::Analytic), Self::Level(Level::Transaction), Self::Level(Level::Rtl), Self::Auto];
-
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Level(level) => level.name(),
-            Self::Auto => "auto",
-        }
-    }
 }
 
 #[derive(Args, Debug)]

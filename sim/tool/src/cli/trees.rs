@@ -3,9 +3,9 @@
 use super::shared::{DetailArgs, ModeArgs, QualityArgs, SceneArgs, StructureArgs, ViewArgs};
 use super::values::{pixel, quantity, row, test};
 use clap::Args;
-use golden::structure::StructureKind;
 use render::Test;
 use std::path::PathBuf;
+use studies::trees::TreeKind;
 use view::picture::heatmap::Quantity;
 
 #[derive(Args, Debug)]
@@ -31,37 +31,7 @@ pub struct TreeArgs {
     pub save: Option<PathBuf>,
     /// The structure to save; dst_scratch is the dual-split tree with a partition of its own.
     #[arg(long, default_value = "dst", requires = "save", value_parser = row())]
-    pub structure: TreeRow,
-}
-
-/// A line of the table of trees.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TreeRow {
-    /// Converted from the one binary hierarchy.
-    Converted(StructureKind),
-    /// The dual-split tree of a partition that is made for it.
-    DstScratch,
-}
-
-impl TreeRow {
-    /// All of them, in the order of the table.
-    pub const ALL: [Self; StructureKind::ALL.len() + 1] = {
-        let mut all = [Self::DstScratch; StructureKind::ALL.len() + 1];
-        let mut i = 0;
-        while i < StructureKind::ALL.len() {
-            all[i] = Self::Converted(StructureKind::ALL[i]);
-            i += 1;
-        }
-        all
-    };
-
-    /// The name on the command line and in result files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Converted(kind) => kind.name(),
-            Self::DstScratch => "dst_scratch",
-        }
-    }
+    pub structure: TreeKind,
 }
 
 #[derive(Args, Debug)]

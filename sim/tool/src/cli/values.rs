@@ -1,6 +1,5 @@
 //! What an argument's value may be.
 
-use super::trees::TreeRow;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use estimate::{Method, embedded_library};
 use golden::Mode;
@@ -9,6 +8,8 @@ use golden::structure::StructureKind;
 use machine::frame::MachineStructure;
 use pipelines::catalogue::{StandardFormat, Top};
 use render::Test;
+use studies::input::quality_name;
+use studies::trees::TreeKind;
 use view::picture::heatmap::Quantity;
 
 /// Accepts the names of `all`.
@@ -34,8 +35,8 @@ pub fn structure() -> impl TypedValueParser<Value = StructureKind> {
     one_of(StructureKind::ALL, StructureKind::name)
 }
 
-pub fn row() -> impl TypedValueParser<Value = TreeRow> {
-    one_of(TreeRow::ALL, TreeRow::name)
+pub fn row() -> impl TypedValueParser<Value = TreeKind> {
+    one_of(TreeKind::ALL, TreeKind::name)
 }
 
 pub fn machine_structure() -> impl TypedValueParser<Value = MachineStructure> {
@@ -88,15 +89,6 @@ pub fn quantity() -> impl TypedValueParser<Value = Quantity> {
 
 pub fn quality() -> impl TypedValueParser<Value = Quality> {
     one_of([Quality::Fast, Quality::Medium, Quality::High], quality_name)
-}
-
-/// The preset's name on the command line and in result files.
-pub fn quality_name(quality: Quality) -> &'static str {
-    match quality {
-        Quality::Fast => "fast",
-        Quality::Medium => "medium",
-        Quality::High => "high",
-    }
 }
 
 pub fn not_negative(text: &str) -> Result<f64, String> {

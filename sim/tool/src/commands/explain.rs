@@ -1,109 +1,25 @@
 //! `dualsplit explain`: the traversal of one pixel's primary ray, step by step.
 
-use super::work::CounterRow;
 use crate::cli::{ExplainArgs, Global};
-use crate::console::Report;
-use crate::input::{self, Built};
-use anyhow::ensure;
-use golden::bvh::Bvh2;
-use golden::dst::Dst;
-use golden::traverse::{Counters, Trace};
-use golden::{Hit, Ray, TraversalRay};
-use render::CameraRays;
-use serde::Serialize;
+use crate::console::{Bars, Report};
 use std::fmt::Write;
-use std::sync::Arc;
-use studies::walk::{Step, Walk, walk_bvh2, walk_dst};
-
-#[derive(Serialize)]
-struct Document {
-    scene: String,
-    triangles: usize,
-    mode: &'static str,
-    pixel: [u32; 2],
-    size: [u32; 2],
-    ray: RayRow,
-    hit: Option<HitRow>,
-    structures: Vec<Section>,
-}
-
-#[derive(Serialize)]
-struct RayRow {
-    origin: [f32; 3],
-    direction: [f32; 3],
-    t_min: f32,
-    /// Absent where the ray has no end.
-    t_max: Option<f32>,
-}
-
-#[derive(Serialize)]
-struct HitRow {
-    t: f32,
-    u: f32,
-    v: f32,
-    triangle: u32,
-}
-
-#[derive(Serialize)]
-struct Section {
-    name: &'static str,
-    #[serde(flatten)]
-    counters: CounterRow,
-    steps: Vec<Step>,
-}
-
-impl Section {
-    fn new(
-        name: &'static str,
-        structure: &impl Trace,
-        walk: Walk,
-        ray: &TraversalRay,
-    ) -> (Self, Option<Hit>) {
-        let mut counters = Counters::default();
-        let hit = structure.closest_prepared(ray, &mut counters);
-        assert_eq!(hit, walk.hit, "the walk and the kernel take the same steps");
-        (Self { name, counters: counters.into(), steps: walk.steps }, hit)
-    }
-}
+use studies::explain::{self, Explanation, Options};
+use studies::walk::Step;
 
 pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
-    let [x, y] = args.pixel;
-    let [width, height] = args.view.size;
-    ensure!(
-        x < width && y < height,
-        "--pixel {x},{y} is outside the image of {width}x{height} pixels; count from 0, or change --size"
-    );
-    let mut scene = input::scene(&args.scene, global)?;
-    input::set_view(&mut scene, &args.view)?;
-    let ray = CameraRays::new(&scene.camera, width, height)?.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
-    let built = Built::new(&scene, args.quality.quality)?;
-    let dst = Dst::convert(&built.tree, Arc::clone(&built.triangles))?;
-    let bvh = Bvh2::encode(&built.tree, Arc::clone(&built.triangles));
-    let mode = args.mode.mode;
-    let Some(prepared) = TraversalRay::new(&ray, mode) else {
-        anyhow::bail!(
-            "the ray of pixel {x},{y} is outside the supported range: {ray:?}; move --eye or --target"
-        );
+    let options = Options {
+        scene: args.scene.source(global),
+        view: args.view.view(),
+        size: args.view.size,
+        pixel: args.pixel,
+        mode: args.mode.mode,
+        quality: args.quality.quality,
     };
-    let (dst, hit) = Section::new("dst", &dst, walk_dst(&dst, &prepared), &prepared);
-    let (bvh, _) = Section::new("bvh2", &bvh, walk_bvh2(&bvh, &prepared), &prepared);
-    let Ray { origin, direction, t_min, t_max } = ray;
-    let document = Document {
-        scene: scene.name,
-        triangles: scene.mesh.triangles.len(),
-        mode: mode.name(),
-        pixel: [x, y],
-        size: [width, height],
-        ray: RayRow { origin, direction, t_min, t_max: t_max.is_finite().then_some(t_max) },
-        hit: hit.map(|Hit { t, u, v, triangle }| HitRow { t, u, v, triangle }),
-        structures: vec![dst, bvh],
-    };
-    let text = text(&document);
-    Ok(Report::new(&document, text))
+    let explanation = explain::run(&options, &Bars::default())?;
+    Ok(Report::new(&explanation, text(&explanation)))
 }
 
-fn text(document: &Document) -> String {
-    let d = document;
+fn text(d: &Explanation) -> String {
     let mut text = format!(
         "{}: {} triangles, pixel {},{} of {}x{}, {} mode\norigin {:?}, direction {:?}\n",
         d.scene,

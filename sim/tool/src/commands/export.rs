@@ -1,15 +1,10 @@
 //! `dualsplit export`: Verilog of the hardware with everything that another engineer needs to use it.
 
-use crate::artifacts::Artifacts;
 use crate::cli::{ExportArgs, Global};
-use crate::console::{Report, progress};
-use anyhow::ensure;
-use equivalence::Stimulus;
-use netlist::verilog::{PackageOptions, package};
-use netlist::{flatten, mask};
-use pipelines::catalogue::Top;
+use crate::console::{Bars, Report};
 use serde::Serialize;
 use std::path::PathBuf;
+use studies::export::{self, Options};
 
 #[derive(Serialize)]
 struct Document {
@@ -17,59 +12,16 @@ struct Document {
 }
 
 pub fn run(args: &ExportArgs, global: &Global) -> anyhow::Result<Report> {
-    ensure!(
-        args.period_ns.is_finite() && args.period_ns > 0.0,
-        "--period-ns {}: a clock period is a positive number of nanoseconds",
-        args.period_ns
-    );
-    let tops = match args.unit {
-        Some(top) => vec![top],
-        None => Top::ALL.iter().copied().filter(|top| top.formats().contains(&args.format)).collect(),
+    let options = Options {
+        out: args.out.clone(),
+        format: args.format,
+        unit: args.unit,
+        vectors: args.vectors,
+        period_ns: args.period_ns,
+        seed: global.seed,
+        force: global.force,
     };
-    let mut artifacts = Artifacts::create(&args.out, global.force)?;
-    let bar = progress(tops.len() as u64, "writing Verilog");
-    for top in tops {
-        let design = top.design(args.format)?;
-        let netlist = flatten(&design)?;
-        let stimulus = Stimulus::new(top, args.format, &netlist, global.seed);
-        let fits = |(value, port): (&u128, &netlist::Port)| value & mask(port.width);
-        let vectors: Vec<Vec<u128>> = stimulus
-            .take(args.vectors as usize)
-            .map(|inputs| inputs.iter().zip(&netlist.inputs).map(fits).collect())
-            .collect();
-        let options = PackageOptions { description: description(top), period_ns: args.period_ns };
-        for file in package(&design, &options, &vectors)? {
-            artifacts.write(&file.name, file.contents.as_bytes())?;
-        }
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    let document = Document { files: artifacts.finish()? };
+    let document = Document { files: export::run(&options, &Bars::default())? };
     let text = document.files.iter().map(|file| format!("{}\n", file.display())).collect();
     Ok(Report::new(&document, text))
-}
-
-/// What a top does, for its README.
-fn description(top: Top) -> &'static str {
-    match top {
-        Top::IntAdd => "Adds two unsigned words modulo 2^32.",
-        Top::FpAdd => {
-            "Adds or subtracts two floating-point numbers as IEEE 754 says, in five rounding directions."
-        }
-        Top::FpMul => "Multiplies two floating-point numbers as IEEE 754 says, in five rounding directions.",
-        Top::FpMinMax => "Minimum or maximum of two floating-point numbers; NaN is dropped or propagated.",
-        Top::FpCmp => "Compares two floating-point numbers; NaN is unordered.",
-        Top::DualSplit => "One step of dual-split-tree traversal per cycle, with the published units.",
-        Top::DualSplitLean => {
-            "One step of dual-split-tree traversal per cycle, without redundant comparators."
-        }
-        Top::RayBox => "One ray-box intersection test per cycle, with the published units.",
-        Top::RayBoxLean => "One ray-box intersection test per cycle, without the redundant comparator.",
-        Top::RayBoxX2 => "Intersection tests of one ray with two boxes per cycle.",
-        Top::RayBoxX4 => "Intersection tests of one ray with four boxes per cycle.",
-        Top::RayBoxX8 => "Intersection tests of one ray with eight boxes per cycle.",
-        Top::SharedUnits => {
-            "Eight adders and multipliers, singly or routed into one of the traversal pipelines."
-        }
-    }
 }

@@ -2,6 +2,7 @@
 
 mod chart;
 mod check;
+mod classes;
 mod compare;
 mod estimate;
 mod explain;
@@ -16,8 +17,8 @@ mod stress;
 mod study;
 mod trace;
 mod tree;
+mod validate;
 mod wave;
-mod work;
 
 use crate::cli::{Cli, Command, Global, ReproduceArgs};
 use crate::console::Report;
@@ -33,7 +34,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
     }
     match &cli.command {
         Some(command) => dispatch(command, global),
-        None => reproduce::run(&ReproduceArgs::default(), global),
+        None => reproduce::run(&ReproduceArgs::default(), global, dispatch),
     }
 }
 
@@ -46,7 +47,7 @@ fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
         Command::Render(args) => render::run(args, global),
         Command::Compare(args) => compare::run(args, global),
         Command::Explain(args) => explain::run(args, global),
-        Command::Check(args) if args.prove => prove::run(args, global),
+        Command::Check(args) if args.prove => prove::run(args),
         Command::Check(args) => check::run(args, global),
         Command::Export(args) => export::run(args, global),
         Command::Wave(args) => wave::run(args, global),
@@ -56,6 +57,6 @@ fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
         Command::Estimate(args) => estimate::run(args, global),
         Command::Simulate(args) => simulate::run(args, global),
         Command::Study(args) => study::run(args, global),
-        Command::Reproduce(args) => reproduce::run(args, global),
+        Command::Reproduce(args) => reproduce::run(args, global, dispatch),
     }
 }

@@ -1,10 +1,11 @@
 //! `dualsplit scenes`: what is built in, and its export.
 
 use crate::cli::{Global, ScenesArgs};
-use crate::console::{Report, spinner, table};
-use crate::input::{check_writable, display};
+use crate::console::{Bars, Report, table};
 use scenes::procedural::{self, CATALOGUE};
 use serde::Serialize;
+use studies::input::{check_writable, display};
+use studies::progress::Part;
 
 #[derive(Serialize)]
 struct Document {
@@ -41,11 +42,12 @@ pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
         return Ok(Report::new(&document, text));
     };
     check_writable("--export", path, global.force)?;
-    let progress = spinner(format!("making {name}"));
+    let bars = Bars::default();
+    let part = Part::endless(&bars, &format!("making {name}"));
     let detail = args.detail.detail;
     let scene = procedural::build(name, detail, global.seed)?;
     scenes::obj::save(path, name, &scene.mesh, global.force)?;
-    progress.finish_and_clear();
+    drop(part);
     let triangles = scene.mesh.triangles.len();
     document.scenes.retain(|entry| entry.name == name);
     document.exported =

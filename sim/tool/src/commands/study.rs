@@ -1,11 +1,28 @@
-//! A study as text.
+//! `dualsplit study`: the paper's study, all scenes, structures and tests on the machine.
 
-use super::Document;
-use super::row::Row;
-use crate::console::{fixed, table};
+use crate::cli::{Global, StudyArgs};
+use crate::console::{Bars, Report, fixed, table};
+use studies::study::row::Row;
+use studies::study::{self, Options, Study};
+
+pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
+    let options = Options {
+        preset: args.preset.clone(),
+        scene: args.scene.clone(),
+        quality: args.quality.quality,
+        machine: args.machine.machine.clone(),
+        settings: args.machine.settings.clone(),
+        pipeline_cost: args.machine.pipeline_cost.method(),
+        out: args.out.clone(),
+        seed: global.seed,
+        force: global.force,
+    };
+    let study = study::run(&options, &Bars::default())?;
+    Ok(Report::new(&study, tables(&study)))
+}
 
 /// All of a study.
-pub fn tables(document: &Document) -> String {
+fn tables(study: &Study) -> String {
     let header = [
         "scene",
         "test",
@@ -20,7 +37,7 @@ pub fn tables(document: &Document) -> String {
         "issue %",
         "data %",
     ];
-    let rows = document.rows.iter().map(|row| {
+    let rows = study.rows.iter().map(|row| {
         [
             row.scene.clone(),
             row.test.clone(),
@@ -38,11 +55,11 @@ pub fn tables(document: &Document) -> String {
     });
     let mut text = table(header, rows);
     text += "\nFrame time by number of multiprocessors\n\n";
-    text += &across(&document.scaling, |row| row.tms.to_string());
+    text += &across(&study.scaling, |row| row.tms.to_string());
     text += "\nFrame time and energy by words of a load\n\n";
-    text += &across(&document.load_width, |row| row.load_words.clone());
+    text += &across(&study.load_width, |row| row.load_words.clone());
     text += "\nComparison with the published results\n\n";
-    let claims = document.comparison.iter().map(|claim| {
+    let claims = study.comparison.iter().map(|claim| {
         [claim.claim.clone(), claim.published.clone(), claim.ours.clone(), claim.holds.to_owned()]
     });
     text += &table(["claim", "published", "ours", "holds"], claims);

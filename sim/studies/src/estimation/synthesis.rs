@@ -1,6 +1,6 @@
 //! The exported Verilog in yosys and ABC, for comparison.
 
-use crate::console::spinner;
+use crate::progress::{Part, Progress};
 use anyhow::{Context, bail, ensure};
 use estimate::Implementation;
 use gates::liberty::Library;
@@ -11,7 +11,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// A result of a flow.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
 pub struct SynthesisRow {
     pub pipeline: &'static str,
     pub flow: String,
@@ -22,7 +23,11 @@ pub struct SynthesisRow {
 }
 
 /// Ours and theirs, for each pipeline.
-pub fn run(implementations: &[Implementation], liberty: &Path) -> anyhow::Result<Vec<SynthesisRow>> {
+pub fn run(
+    implementations: &[Implementation],
+    liberty: &Path,
+    progress: &dyn Progress,
+) -> anyhow::Result<Vec<SynthesisRow>> {
     let version = Command::new("yosys")
         .arg("-V")
         .output()
@@ -32,7 +37,7 @@ pub fn run(implementations: &[Implementation], liberty: &Path) -> anyhow::Result
     let folder = std::env::temp_dir().join(format!("dualsplit-synthesis-{}", std::process::id()));
     std::fs::create_dir_all(&folder)
         .with_context(|| format!("{}: cannot make the folder", folder.display()))?;
-    let result = rows(implementations, liberty, &version, &folder);
+    let result = rows(implementations, liberty, (&version, &folder), progress);
     // What is left there is of no use to anybody.
     let _ = std::fs::remove_dir_all(&folder);
     result
@@ -41,8 +46,8 @@ pub fn run(implementations: &[Implementation], liberty: &Path) -> anyhow::Result
 fn rows(
     implementations: &[Implementation],
     liberty: &Path,
-    version: &str,
-    folder: &Path,
+    (version, folder): (&str, &Path),
+    progress: &dyn Progress,
 ) -> anyhow::Result<Vec<SynthesisRow>> {
     let library = folder.join("cells.lib");
     std::fs::write(&library, gates::liberty::file_text(liberty)?)?;
@@ -55,9 +60,9 @@ fn rows(
             let same = Implementation::new(implementation.top, &multiplexed, structures)?;
             rows.push(ours(&same, "ours, a multiplexer for each enable".to_owned()));
         }
-        let wheel = spinner(format!("yosys and ABC on {}", implementation.top));
+        let part = Part::endless(progress, &format!("yosys and ABC on {}", implementation.top));
         let log = yosys(implementation, folder)?;
-        wheel.finish_and_clear();
+        drop(part);
         rows.push(parse(implementation, &log, format!("{version}, ABC"))?);
     }
     Ok(rows)

@@ -6,14 +6,17 @@ use scenes::procedural::CATALOGUE;
 
 /// A size of the job.
 pub struct Preset {
+    /// On the command line.
     pub name: &'static str,
     /// About this many triangles to a scene, but not fewer than its coarsest level has.
     pub triangles: f64,
+    /// Of all trees.
     pub quality: Quality,
     /// Side of the renderings in which work is counted, in pixels, with one sample each.
     pub measured_side: u32,
     /// Side of the pictures.
     pub picture_side: u32,
+    /// Samples per pixel of the pictures.
     pub picture_samples: u32,
     /// About how many seconds trees, work and pictures of a scene take on two cores.
     pub scene_seconds: f64,
@@ -21,6 +24,7 @@ pub struct Preset {
     pub stages: fn() -> Vec<Stage>,
 }
 
+/// All sizes.
 pub const PRESETS: [Preset; 3] = [
     // To see in seconds whether everything works.
     Preset {

@@ -1,13 +1,13 @@
 //! The report as one row for each number, and where the numbers come from.
 
-use super::Document;
+use super::Estimates;
 use anyhow::Context;
 use estimate::Breakdown;
 use gates::liberty::Library;
 use std::collections::BTreeMap;
 
 /// One row for each number.
-pub fn csv(document: &Document) -> anyhow::Result<Vec<u8>> {
+pub fn csv(document: &Estimates) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["pipeline", "method", "quantity", "part", "value", "unit", "source"])?;
     for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {

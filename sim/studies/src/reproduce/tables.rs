@@ -1,7 +1,6 @@
-//! The main job's results as CSV and as text.
+//! The main job's results as CSV.
 
 use super::results::Document;
-use crate::console::{fixed, table};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -88,60 +87,4 @@ pub fn work_csv(document: &Document) -> anyhow::Result<Vec<u8>> {
         }
     }
     Ok(csv.into_inner()?)
-}
-
-/// Both as tables.
-pub fn text(document: &Document) -> String {
-    let d = document;
-    let mut text = format!("Trees: {} quality, seed {}\n\n", d.quality, d.seed);
-    let header =
-        ["scene", "triangles", "structure", "nodes", "bytes/triangle", "of bvh2", "SAH", "expected visits"];
-    let rows = d.scenes.iter().flat_map(|result| {
-        let reference = result.structures[0].bytes.max(1) as f64;
-        result.structures.iter().map(move |s| {
-            [
-                result.scene.clone(),
-                result.triangles.to_string(),
-                s.name.to_string(),
-                s.nodes.to_string(),
-                fixed(s.bytes_per_triangle, 2),
-                fixed(s.bytes as f64 / reference, 3),
-                fixed(s.sah_cost, 2),
-                fixed(s.expected_node_visits, 2),
-            ]
-        })
-    });
-    text += &table(header, rows);
-    text += &format!(
-        "\nTraversal work per ray: {}x{}, {} sample(s) per pixel, {} mode; all structures gave the same pictures\n\n",
-        d.width, d.height, d.spp, d.mode
-    );
-    let header = [
-        "scene",
-        "test",
-        "structure",
-        "rays",
-        "node visits",
-        "plane tests",
-        "triangle tests",
-        "bytes",
-        "stack depth",
-    ];
-    let rows = d.scenes.iter().flat_map(|result| {
-        result.renders.iter().map(|r| {
-            [
-                result.scene.clone(),
-                r.test.to_string(),
-                r.structure.to_string(),
-                r.rays.to_string(),
-                fixed(r.node_visits_per_ray, 2),
-                fixed(r.plane_tests_per_ray, 2),
-                fixed(r.triangle_tests_per_ray, 2),
-                fixed(r.bytes_per_ray, 1),
-                r.stack_depth.to_string(),
-            ]
-        })
-    });
-    text += &table(header, rows);
-    text
 }

@@ -1,17 +1,17 @@
-//! `dualsplit reproduce`: the main job, all results in one folder.
+//! The main job: all results in one folder, with a page that shows them.
 
 mod page;
 mod presets;
-mod results;
+pub mod results;
 mod stages;
 mod tables;
 
-use super::tree;
 use crate::artifacts::Artifacts;
-use crate::cli::{Global, ReproduceArgs, quality_name};
-use crate::console::{Report, progress};
-use crate::input::{Built, display};
+use crate::input::{Built, display, quality_name};
+use crate::progress::{Part, Progress};
+use crate::trees;
 use anyhow::{Context, ensure};
+use golden::Mode;
 use golden::structure::StructureKind;
 use page::Pictures;
 use presets::{PRESETS, Preset};
@@ -19,41 +19,68 @@ use render::{RenderOptions, Rendering, Test, render};
 use results::{Document, RenderResult, SceneResult};
 use scenes::Scene;
 use scenes::procedural::{self, CATALOGUE, CatalogueEntry};
-use serde::Serialize;
 use stages::{Job, Outcome};
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 use view::picture::heatmap::{self, Quantity};
 use view::picture::png;
 use view::report::Picture;
 
+pub use stages::{Command, Finding};
+
 /// The structures whose heat maps the report shows.
 const SHOWN: [StructureKind; 2] = [StructureKind::Bvh2, StructureKind::Dst];
 
-#[derive(Serialize)]
-struct Artifact {
-    artifacts: Vec<String>,
-    mode: &'static str,
-    seconds: f64,
+/// What is done, and where it is written.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// `smoke`, `quick` or `paper`.
+    pub preset: String,
+    /// The folder that is filled.
+    pub out: PathBuf,
+    /// How plane distances are rounded.
+    pub mode: Mode,
+    /// Seed of everything.
+    pub seed: u64,
+    /// Write into a folder that others have made.
+    pub force: bool,
 }
 
-pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
+/// What was done.
+#[derive(Debug)]
+pub struct Reproduction {
+    /// Trees and work.
+    pub document: Document,
+    /// All files, in order.
+    pub artifacts: Vec<String>,
+    /// Of the host.
+    pub seconds: f64,
+    /// The commands in which a check found a difference.
+    pub differences: Vec<String>,
+}
+
+/// Does the main job, or goes on with one that was interrupted. `command` runs a command of the tool.
+///
+/// # Errors
+/// There is no such preset, a part of the job fails, or a file cannot be written.
+pub fn run(args: &Options, command: Command<'_>, progress: &dyn Progress) -> anyhow::Result<Reproduction> {
     let start = Instant::now();
-    let preset = PRESETS.iter().find(|preset| preset.name == args.preset).expect("a possible value");
-    let mut artifacts = Artifacts::create(&args.out, global.force)?;
+    let preset = PRESETS.iter().find(|preset| preset.name == args.preset);
+    let preset = preset.with_context(|| format!("--preset {}: there is no such preset", args.preset))?;
+    let mut artifacts = Artifacts::create(&args.out, args.force)?;
     let options = RenderOptions {
-        seed: global.seed,
-        mode: args.mode.mode,
+        seed: args.seed,
+        mode: args.mode,
         count_work: true,
         ..RenderOptions::new(Test::Raycast, preset.measured_side, preset.measured_side)
     };
     let mut document = Document {
         preset: preset.name,
         version: env!("CARGO_PKG_VERSION"),
-        mode: args.mode.mode.name(),
-        seed: global.seed,
+        mode: args.mode.name(),
+        seed: args.seed,
         quality: quality_name(preset.quality),
         width: options.width,
         height: options.height,
@@ -65,11 +92,12 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
     let parts = (stages.len() + CATALOGUE.len(), seconds + CATALOGUE.len() as f64 * preset.scene_seconds);
     let folders: BTreeSet<&str> = stages.iter().map(|stage| stage.folder.as_str()).collect();
     let name = format!("reproduce {} {}", preset.name, document.mode);
-    let mut job = Job::begin(&args.out, &name, global, &mut artifacts, parts, &folders)?;
+    let mut job =
+        Job::begin(&args.out, &name, (args.seed, command, progress), &mut artifacts, parts, &folders)?;
     for entry in CATALOGUE {
         let part = format!("scene-{}", entry.name);
         let result = job.part(&part, preset.scene_seconds, &mut artifacts, |artifacts| {
-            scene_result(entry, preset, &options, global, artifacts)
+            scene_result(entry, preset, &options, progress, artifacts)
         })?;
         for file in files(entry.name) {
             ensure!(
@@ -96,16 +124,9 @@ pub fn run(args: &ReproduceArgs, global: &Global) -> anyhow::Result<Report> {
     let of_stages = outcomes.iter().filter_map(|(_, outcome)| outcome.report["artifacts"].as_array());
     paths.extend(of_stages.flatten().filter_map(|path| path.as_str().map(str::to_owned)));
     let seconds = start.elapsed().as_secs_f64();
-    let mut text = tables::text(&document);
-    let differences: Vec<&str> =
-        outcomes.iter().filter(|(_, outcome)| outcome.difference).map(|(_, o)| o.command.as_str()).collect();
-    for command in &differences {
-        text += &format!("\nA check found a difference: {command}\n");
-    }
-    text += &format!("\n{} files in {}, {seconds:.1} s\n", paths.len(), args.out.display());
-    let mut report = Report::new(&Artifact { artifacts: paths, mode: document.mode, seconds }, text);
-    report.difference = !differences.is_empty();
-    Ok(report)
+    let differences = outcomes.into_iter().filter(|(_, outcome)| outcome.difference);
+    let differences = differences.map(|(_, outcome)| outcome.command).collect();
+    Ok(Reproduction { document, artifacts: paths, seconds, differences })
 }
 
 /// Trees, work and pictures of one scene.
@@ -113,19 +134,18 @@ fn scene_result(
     entry: &CatalogueEntry,
     preset: &Preset,
     options: &RenderOptions,
-    global: &Global,
+    progress: &dyn Progress,
     artifacts: &mut Artifacts,
 ) -> anyhow::Result<SceneResult> {
-    let full = procedural::count_triangles(entry.name, 1.0, global.seed)?;
+    let full = procedural::count_triangles(entry.name, 1.0, options.seed)?;
     let detail = (preset.triangles / full as f64).min(1.0);
     let steps = Test::ALL.len() * (StructureKind::ALL.len() + 1) + 1;
-    let bar = progress(steps as u64, entry.name);
-    let scene = procedural::build(entry.name, detail, global.seed)?;
-    let built = Built::new(&scene, preset.quality)?;
-    let structures = tree::rows(&built)?;
-    bar.inc(1);
-    let renders = renders(&scene, &built, preset, options, artifacts, || bar.inc(1))?;
-    bar.finish_and_clear();
+    let part = Part::begin(progress, steps as u64, entry.name);
+    let scene = procedural::build(entry.name, detail, options.seed)?;
+    let built = Built::new(&scene, preset.quality, progress)?;
+    let structures = trees::rows(&built)?;
+    part.advance(1);
+    let renders = renders(&scene, &built, preset, options, artifacts, || part.advance(1))?;
     Ok(SceneResult {
         scene: scene.name,
         stands_for: entry.stands_for.into(),

@@ -1,14 +1,15 @@
 //! What the main job finds out, as it stands in `results.json`.
 
-use super::super::tree::StructureRow;
-use super::super::work::ClassRow;
+use crate::trees::StructureRow;
+use crate::work::ClassRow;
 use golden::structure::StructureKind;
 use render::{Rendering, Test};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// All results.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
 pub struct Document {
     pub preset: &'static str,
     pub version: &'static str,
@@ -22,7 +23,8 @@ pub struct Document {
 }
 
 /// One scene.
-#[derive(Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "keys of result files")]
 pub struct SceneResult {
     pub scene: String,
     pub stands_for: Cow<'static, str>,
@@ -33,7 +35,8 @@ pub struct SceneResult {
 }
 
 /// One test of one scene in one structure.
-#[derive(Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "keys of result files")]
 pub struct RenderResult {
     pub structure: Cow<'static, str>,
     pub test: Cow<'static, str>,
@@ -48,6 +51,7 @@ pub struct RenderResult {
 }
 
 impl RenderResult {
+    /// What `rendering` has cost.
     pub fn new(kind: StructureKind, test: Test, rendering: &Rendering) -> Self {
         let total = rendering.total();
         let per_ray = |x: u64| x as f64 / total.rays.max(1) as f64;

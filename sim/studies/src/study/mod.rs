@@ -1,19 +1,19 @@
-//! `dualsplit study`: the paper's study, all scenes, structures and tests on the machine.
+//! The paper's study: all scenes, structures and tests on the machine. Runs are kept in files, and not repeated.
 
-mod comparison;
+pub mod comparison;
 mod jobs;
 mod plots;
-mod row;
-mod text;
+pub mod row;
 
 use crate::artifacts::Artifacts;
-use crate::cli::{Global, StudyArgs};
-use crate::console::{Report, progress};
 use crate::input::{Built, display};
+use crate::progress::{Part, Progress};
 use anyhow::{Context, bail};
 use comparison::{Claim, compare};
+use estimate::Method;
+use golden::build::Quality;
 use golden::structure::{Structure, StructureKind};
-use jobs::{Job, Preset, Series};
+use jobs::{Job, Preset};
 use machine::frame::{FrameMachine, frame};
 use machine::results::Results;
 use rayon::prelude::*;
@@ -23,19 +23,50 @@ use scenes::Scene;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-#[derive(Serialize)]
-struct Document {
-    preset: String,
-    rows: Vec<Row>,
-    scaling: Vec<Row>,
-    load_width: Vec<Row>,
-    comparison: Vec<Claim>,
-    artifacts: Vec<String>,
+pub use jobs::Series;
+
+/// What is simulated, on what, and where it is kept.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// `small`, `quick`, `medium` or `paper`.
+    pub preset: String,
+    /// Only this scene.
+    pub scene: Option<String>,
+    /// Of the trees.
+    pub quality: Quality,
+    /// A preset machine or a TOML file.
+    pub machine: String,
+    /// Changed keys of the machine.
+    pub settings: Vec<String>,
+    /// How area and energy of the pipelines are found.
+    pub pipeline_cost: Method<'static>,
+    /// The folder that holds the runs.
+    pub out: PathBuf,
+    /// Seed of scenes and samples.
+    pub seed: u64,
+    /// Write into a folder that others have made.
+    pub force: bool,
 }
 
-pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
+/// All runs of a study and what they say.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Study {
+    pub preset: String,
+    pub rows: Vec<Row>,
+    pub scaling: Vec<Row>,
+    pub load_width: Vec<Row>,
+    pub comparison: Vec<Claim>,
+    pub artifacts: Vec<String>,
+}
+
+/// Simulates what is not kept yet, and writes all tables and drawings.
+///
+/// # Errors
+/// There is no such preset, scene or machine, a run fails, or a file cannot be read or written.
+pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
     let preset = Preset::find(&args.preset)?;
     let names: Vec<&str> = scenes::procedural::CATALOGUE.iter().map(|entry| entry.name).collect();
     let chosen: Vec<&str> = match &args.scene {
@@ -45,10 +76,10 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
         },
         None => names,
     };
-    let mut artifacts = Artifacts::create(&args.out, global.force)?;
+    let mut artifacts = Artifacts::create(&args.out, args.force)?;
     let mut runs = finished(&args.out)?;
     for scene in chosen {
-        simulate_scene(scene, preset, args, global, &mut runs, &mut artifacts)?;
+        simulate_scene(scene, preset, args, progress, &mut runs, &mut artifacts)?;
     }
     for (name, row) in &runs {
         artifacts.write(name, serde_json::to_string_pretty(row)?.as_bytes())?;
@@ -62,13 +93,12 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
     for (name, svg) in plots::all(&rows, &scaling, &load_width) {
         artifacts.write(&name, svg.as_bytes())?;
     }
-    let mut document =
-        Document { preset: args.preset.clone(), rows, scaling, load_width, comparison, artifacts: vec![] };
-    let json = serde_json::to_string_pretty(&document)?;
+    let mut study =
+        Study { preset: args.preset.clone(), rows, scaling, load_width, comparison, artifacts: vec![] };
+    let json = serde_json::to_string_pretty(&study)?;
     artifacts.write("study.json", json.as_bytes())?;
-    document.artifacts = artifacts.finish()?.iter().map(|path| display(path)).collect();
-    let text = text::tables(&document);
-    Ok(Report::new(&document, text))
+    study.artifacts = artifacts.finish()?.iter().map(|path| display(path)).collect();
+    Ok(study)
 }
 
 /// The runs that an earlier study left in `folder`.
@@ -92,18 +122,17 @@ fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
 fn simulate_scene(
     name: &str,
     preset: &Preset,
-    args: &StudyArgs,
-    global: &Global,
+    args: &Options,
+    progress: &dyn Progress,
     runs: &mut BTreeMap<String, Row>,
     artifacts: &mut Artifacts,
 ) -> anyhow::Result<()> {
-    let method = args.machine.pipeline_cost.method();
     let mut open = vec![];
     for job in Job::of_scene(name, preset) {
-        let machine = job.machine(&args.machine.machine, &args.machine.settings)?;
-        let machine = FrameMachine::new(&machine, job.structure, estimate::by_name(method))?;
+        let machine = job.machine(&args.machine, &args.settings)?;
+        let machine = FrameMachine::new(&machine, job.structure, estimate::by_name(args.pipeline_cost))?;
         let file = job.file(name, &args.preset);
-        let fingerprint = row::fingerprint(&machine, args.quality.quality, global.seed, preset);
+        let fingerprint = row::fingerprint(&machine, args.quality, args.seed, preset);
         if runs.get(&file).is_none_or(|row| row.fingerprint != fingerprint) {
             open.push((job, machine, file, fingerprint));
         }
@@ -111,20 +140,20 @@ fn simulate_scene(
     if open.is_empty() {
         return Ok(());
     }
-    let scene = Scene::load(name, preset.detail, global.seed)?;
-    let built = Built::new(&scene, args.quality.quality)?;
+    let scene = Scene::load(name, preset.detail, args.seed)?;
+    let built = Built::new(&scene, args.quality, progress)?;
     let structures = StructureKind::ALL
         .into_par_iter()
         .map(|kind| Ok(built.convert(kind)?.0))
         .collect::<anyhow::Result<Vec<Structure>>>()?;
-    let bar = progress(open.len() as u64, name);
+    let part = Part::begin(progress, open.len() as u64, name);
     // In batches, so that an interrupted study goes on where it was.
     for batch in open.chunks(rayon::current_num_threads().max(1)) {
         let done = batch
             .par_iter()
             .map(|(job, machine, file, fingerprint)| {
-                let row = simulate_one(&scene, &structures, preset, args, global, job, machine, fingerprint)?;
-                bar.inc(1);
+                let row = simulate_one(&scene, &structures, preset, args, job, machine, fingerprint)?;
+                part.advance(1);
                 Ok((file.clone(), row))
             })
             .collect::<anyhow::Result<Vec<(String, Row)>>>()?;
@@ -133,7 +162,6 @@ fn simulate_scene(
             runs.insert(file, row);
         }
     }
-    bar.finish_and_clear();
     Ok(())
 }
 
@@ -142,15 +170,14 @@ fn simulate_one(
     scene: &Scene,
     structures: &[Structure],
     preset: &Preset,
-    args: &StudyArgs,
-    global: &Global,
+    args: &Options,
     job: &Job,
     set_up: &FrameMachine,
     fingerprint: &str,
 ) -> anyhow::Result<Row> {
     let structure = structures.iter().find(|s| s.kind() == job.structure.kind()).expect("all kinds");
     let mut options = RenderOptions::new(job.test, preset.width, preset.height);
-    options.seed = global.seed;
+    options.seed = args.seed;
     let frame = frame(set_up, scene, structure, &options, |_| {})?;
     let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts)?;
     Ok(Row::new(

@@ -10,8 +10,11 @@ use std::collections::BTreeSet;
 /// A claim of the paper and what we find.
 #[derive(Clone, Debug, Serialize)]
 pub struct Claim {
+    /// In words.
     pub claim: String,
+    /// What the paper says.
     pub published: String,
+    /// What the study says.
     pub ours: String,
     /// `yes`, `partly` where some scenes agree, `no`, or `-` without data.
     pub holds: &'static str,
@@ -275,7 +278,7 @@ fn scaling_claim(scaling: &[Row]) -> Option<Claim> {
 }
 
 /// The claims as CSV with a header.
-pub fn csv(claims: &[Claim]) -> anyhow::Result<String> {
+pub(super) fn csv(claims: &[Claim]) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(vec![]);
     for claim in claims {
         writer.serialize(claim)?;

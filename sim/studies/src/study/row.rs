@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 /// A simulated frame: what it is of, and what it came to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[allow(missing_docs, reason = "keys of result files, with their units")]
 pub struct Row {
     pub preset: String,
     pub scene: String,
@@ -57,7 +58,7 @@ pub struct Row {
 }
 
 /// What a run is of.
-pub struct Run<'a> {
+pub(super) struct Run<'a> {
     pub preset: &'a str,
     pub scene: &'a Scene,
     pub structure: &'a str,
@@ -70,7 +71,7 @@ pub struct Run<'a> {
 }
 
 impl Row {
-    pub fn new(run: Run<'_>, options: &RenderOptions, frame: &Frame, results: &Results) -> Self {
+    pub(super) fn new(run: Run<'_>, options: &RenderOptions, frame: &Frame, results: &Results) -> Self {
         let percent = |class: &str| results.thread_cycles[class];
         Self {
             preset: run.preset.to_owned(),
@@ -118,7 +119,7 @@ impl Row {
 }
 
 /// Identifies everything that a run depends on but its scene and test: scene size, tree quality, machine, pipeline, program.
-pub fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
+pub(super) fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let Preset { detail, width, height, .. } = preset;
     let everything = format!(
@@ -135,7 +136,7 @@ pub fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: 
 }
 
 /// The rows of a series, with those of the main series that belong to it, in the order of what it varies.
-pub fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
+pub(super) fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
     let belongs = |row: &&Row| {
         row.series == series
             || row.series == Series::Main
@@ -156,7 +157,7 @@ pub fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
 }
 
 /// The rows as CSV with a header.
-pub fn csv<'a>(rows: impl Iterator<Item = &'a Row>) -> anyhow::Result<String> {
+pub(super) fn csv<'a>(rows: impl Iterator<Item = &'a Row>) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(vec![]);
     for row in rows {
         writer.serialize(row)?;

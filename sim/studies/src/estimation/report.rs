@@ -1,8 +1,8 @@
 //! The report as text and as an HTML fragment.
 
 use super::numbers::parts;
-use super::{Document, PipelineRow};
-use crate::console::{fixed, table};
+use super::{Estimates, PipelineRow};
+use crate::table::{fixed, table};
 use estimate::{Breakdown, NodeType, TARGET_NODE_NM};
 use std::fmt::Write;
 
@@ -65,7 +65,7 @@ pub fn html(sections: &[Section]) -> String {
 }
 
 /// What is printed, in order.
-pub fn sections(document: &Document) -> Vec<Section> {
+pub fn sections(document: &Estimates) -> Vec<Section> {
     let mut sections = vec![comparison(document), ratios(document)];
     sections.push(breakdowns(document));
     sections.push(node_types(document));
@@ -80,7 +80,7 @@ pub fn sections(document: &Document) -> Vec<Section> {
     sections
 }
 
-fn comparison(document: &Document) -> Section {
+fn comparison(document: &Estimates) -> Section {
     let mut rows = Vec::new();
     let mut notes = Vec::new();
     for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
@@ -139,13 +139,13 @@ fn comparison(document: &Document) -> Section {
     section(title, header, rows, notes)
 }
 
-fn ratios(document: &Document) -> Section {
+fn ratios(document: &Estimates) -> Section {
     let rows =
         document.ratios.iter().map(|row| [row.method.clone(), fixed(row.area, 2), fixed(row.energy, 2)]);
     section("Ray-box over dual-split", ["method", "area", "energy"], rows.collect(), Vec::new())
 }
 
-fn breakdowns(document: &Document) -> Section {
+fn breakdowns(document: &Estimates) -> Section {
     let mut rows = Vec::new();
     for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
         let columns = [&pipeline.area, &pipeline.energy, &pipeline.energy_with_glitches].map(parts);
@@ -200,7 +200,7 @@ fn breakdowns(document: &Document) -> Section {
     section(title, header, rows, notes)
 }
 
-fn node_types(document: &Document) -> Section {
+fn node_types(document: &Estimates) -> Section {
     let mut rows = Vec::new();
     for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
         for row in &pipeline.node_types {
@@ -228,7 +228,7 @@ fn node_types(document: &Document) -> Section {
     section("Energy of an operation by type of node, in the library", header, rows, vec![note])
 }
 
-fn scenes(document: &Document) -> Section {
+fn scenes(document: &Estimates) -> Section {
     let rows = document.scenes.iter().map(|row| {
         let share = |wanted: NodeType| {
             let found = row.node_types.iter().find(|(node_type, _)| *node_type == wanted);
@@ -270,7 +270,7 @@ fn sentence(text: &str) -> String {
     first.into_iter().flatten().chain(letters).chain(std::iter::once('.')).collect()
 }
 
-fn modules(document: &Document, pipeline: &PipelineRow) -> Section {
+fn modules(document: &Estimates, pipeline: &PipelineRow) -> Section {
     let rows = pipeline.modules.iter().map(|row| {
         [
             row.module.clone(),
@@ -288,7 +288,7 @@ fn modules(document: &Document, pipeline: &PipelineRow) -> Section {
     section(format!("Modules of {}", pipeline.name), header, rows.collect(), vec![note])
 }
 
-fn alternatives(document: &Document) -> Section {
+fn alternatives(document: &Estimates) -> Section {
     let rows = document.alternatives.iter().map(|row| {
         [
             row.question.to_owned(),
@@ -303,7 +303,7 @@ fn alternatives(document: &Document) -> Section {
     section("Glue of the dual-split pipeline: alternatives", header, rows.collect(), vec![note])
 }
 
-fn synthesis(document: &Document) -> Section {
+fn synthesis(document: &Estimates) -> Section {
     let rows = document.synthesis.iter().map(|row| {
         [
             row.pipeline.to_owned(),

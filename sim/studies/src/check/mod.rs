@@ -1,69 +1,82 @@
-//! `dualsplit check`: the netlists of the hardware against the specification.
+//! The netlists of the hardware against the specification.
 //!
 //! All operations go through the fastest engine. The first of them also go through the reference simulation, where each
 //! is counted by its class, which says what a stream has covered.
 
-mod exhaustive;
+pub mod exhaustive;
 
-use crate::cli::{CheckArgs, Global};
-use crate::console::{Report, progress, table};
+use crate::progress::{Part, Progress};
 use anyhow::Context;
-use equivalence;
 use logic::check::volume::volume;
 use netlist::{Design, flatten, mutate, mutations};
 use pipelines::catalogue::{StandardFormat, Top};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::time::Instant;
 
 /// Cycles of each top in the reference simulation.
 const REFERENCE_CYCLES: u64 = 10_000;
 
-#[derive(Serialize)]
-struct Document {
-    seed: u64,
+/// What is compared.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The unit or pipeline; all if there is none.
+    pub unit: Option<Top>,
+    /// Operations to compare for each.
+    pub vectors: u64,
+    /// Puts this of the unit's faults into its netlist first, counted from 0.
+    pub fault: Option<usize>,
+    /// Seed of the operations.
+    pub seed: u64,
+}
+
+/// What was compared.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Checks {
+    pub seed: u64,
     /// The fault that was put into the unit.
     #[serde(skip_serializing_if = "Option::is_none")]
-    fault: Option<String>,
-    units: Vec<UnitRow>,
+    pub fault: Option<String>,
+    pub units: Vec<UnitRow>,
 }
 
-#[derive(Serialize)]
-struct UnitRow {
-    name: &'static str,
+/// A unit or pipeline.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct UnitRow {
+    pub name: &'static str,
     /// Operations that were compared.
-    vectors: u64,
+    pub vectors: u64,
     /// Clock cycles of all lanes, with stalls and bubbles.
-    cycles: u64,
-    mismatches: u64,
-    vectors_per_second: f64,
+    pub cycles: u64,
+    pub mismatches: u64,
+    pub vectors_per_second: f64,
     /// Cycles of the reference simulation by class of stimulus; an operation may be in several.
-    classes: BTreeMap<&'static str, u64>,
+    pub classes: BTreeMap<&'static str, u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    first_mismatch: Option<String>,
+    pub first_mismatch: Option<String>,
 }
 
-pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
-    if let Some(exhaustive) = &args.exhaustive {
-        return exhaustive::run(exhaustive, args.state.as_deref());
-    }
-    let tops = args.unit.map_or_else(|| Top::ALL.to_vec(), |top| vec![top]);
-    let mut document = Document { seed: global.seed, fault: None, units: Vec::new() };
+/// Compares.
+///
+/// # Errors
+/// There is no such fault, or a unit cannot be elaborated.
+pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Checks> {
+    let Options { vectors, seed, .. } = *options;
+    let tops = options.unit.map_or_else(|| Top::ALL.to_vec(), |top| vec![top]);
+    let mut checks = Checks { seed, fault: None, units: Vec::new() };
     for top in tops {
-        document.units.push(match args.mutate {
+        checks.units.push(match options.fault {
             Some(number) => {
                 let (mutant, fault) = mutant(&top.design(StandardFormat::Binary32)?, number)?;
-                document.fault = Some(fault);
-                mutant_row(top, &mutant, args.vectors, global.seed)?
+                checks.fault = Some(fault);
+                mutant_row(top, &mutant, vectors, seed)?
             }
-            None => row(top, args.vectors, global.seed)?,
+            None => row(top, vectors, seed, progress)?,
         });
     }
-    let text = text(&document);
-    let mut report = Report::new(&document, text);
-    report.difference = document.units.iter().any(|unit| unit.mismatches > 0);
-    Ok(report)
+    Ok(checks)
 }
 
 /// The design with its fault `number`, and what the fault is.
@@ -91,16 +104,16 @@ fn mutant_row(top: Top, mutant: &Design, cycles: u64, seed: u64) -> anyhow::Resu
     })
 }
 
-fn row(top: Top, vectors: u64, seed: u64) -> anyhow::Result<UnitRow> {
+fn row(top: Top, vectors: u64, seed: u64, progress: &dyn Progress) -> anyhow::Result<UnitRow> {
     let format = StandardFormat::Binary32;
     let netlist = flatten(&top.design(format)?)?;
-    let bar = progress(vectors, format!("checking {top}"));
+    let part = Part::begin(progress, vectors, &format!("checking {top}"));
     let reference = equivalence::check(&netlist, top, format, vectors.min(REFERENCE_CYCLES), seed);
     let start = Instant::now();
-    let totals = volume(top, format, &netlist, vectors, seed, |done| bar.set_position(done))
+    let totals = volume(top, format, &netlist, vectors, seed, |done| part.at(done))
         .with_context(|| format!("{top} is not compiled in {format}"))?;
     let seconds = start.elapsed().as_secs_f64();
-    bar.finish_and_clear();
+    drop(part);
     let in_reference = reference.first.map(|first| format!("in the reference simulation, {first}"));
     Ok(UnitRow {
         name: top.name(),
@@ -111,29 +124,4 @@ fn row(top: Top, vectors: u64, seed: u64) -> anyhow::Result<UnitRow> {
         classes: reference.classes,
         first_mismatch: in_reference.or(totals.first),
     })
-}
-
-fn text(document: &Document) -> String {
-    let rows = document.units.iter().map(|unit| {
-        [
-            unit.name.to_owned(),
-            unit.vectors.to_string(),
-            unit.classes.len().to_string(),
-            unit.mismatches.to_string(),
-            format!("{:.0}", unit.vectors_per_second),
-        ]
-    });
-    let mut text = table(["unit", "vectors", "classes", "mismatches", "vectors/s"], rows);
-    if let Some(fault) = &document.fault {
-        let _ = write!(text, "\nfault put in: {fault}\n");
-    }
-    for unit in &document.units {
-        let classes: Vec<String> =
-            unit.classes.iter().map(|(class, count)| format!("{class} {count}")).collect();
-        let _ = write!(text, "\n{}: {}\n", unit.name, classes.join(", "));
-        if let Some(first) = &unit.first_mismatch {
-            let _ = writeln!(text, "first mismatch with --seed {}: {first}", document.seed);
-        }
-    }
-    text
 }

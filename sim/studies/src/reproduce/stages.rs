@@ -3,12 +3,10 @@
 //! The result of each part stands under `stages/`. As long as the job is not complete, the same job, started again by the
 //! same program, takes them from there.
 
-use super::super::dispatch;
 use crate::artifacts::Artifacts;
-use crate::cli::{Cli, Global};
 use crate::input::display;
-use anyhow::{Context, bail};
-use clap::Parser;
+use crate::progress::Progress;
+use anyhow::Context;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -30,6 +28,17 @@ pub struct Stage {
 
 /// The folder of a stage, in its command.
 pub const FOLDER: &str = "OUT";
+
+/// What a command has found.
+pub struct Finding {
+    /// Its JSON document.
+    pub report: Value,
+    /// Whether a check has found a difference.
+    pub difference: bool,
+}
+
+/// Runs a command of the tool: the words that are typed, the name of the program first.
+pub type Command<'a> = &'a dyn Fn(&[String]) -> anyhow::Result<Finding>;
 
 /// What a part has found.
 #[derive(Clone, Serialize, Deserialize)]
@@ -55,7 +64,9 @@ impl Stage {
 /// A job in a folder, with what an interrupted run of it has left there.
 pub struct Job<'a> {
     folder: &'a Path,
-    global: Global,
+    seed: u64,
+    command: Command<'a>,
+    progress: &'a dyn Progress,
     resumed: bool,
     /// For each part done in this run, the seconds that it took over those that it was expected to take.
     paces: Vec<f64>,
@@ -72,12 +83,12 @@ impl<'a> Job<'a> {
     pub fn begin(
         folder: &'a Path,
         job: &str,
-        global: &Global,
+        (seed, command, progress): (u64, Command<'a>, &'a dyn Progress),
         artifacts: &mut Artifacts,
         (parts, seconds): (usize, f64),
         folders: &BTreeSet<&str>,
     ) -> anyhow::Result<Self> {
-        let identity = format!("{job}, seed {}, {}\n", global.seed, program()?);
+        let identity = format!("{job}, seed {}, {}\n", seed, program()?);
         let resumed = fs::read_to_string(folder.join(UNFINISHED)).is_ok_and(|text| text == identity);
         if !resumed {
             // What an earlier job has left must not be mistaken for results of this program.
@@ -86,8 +97,7 @@ impl<'a> Job<'a> {
             }
         }
         artifacts.write(UNFINISHED, identity.as_bytes())?;
-        let global = Global { json: true, force: false, ..*global };
-        Ok(Self { folder, global, resumed, paces: vec![], ahead: seconds, left: parts })
+        Ok(Self { folder, seed, command, progress, resumed, paces: vec![], ahead: seconds, left: parts })
     }
 
     /// The result of part `name`, from an interrupted run or from `make`, which is expected to take so many seconds.
@@ -104,10 +114,10 @@ impl<'a> Job<'a> {
         let kept = self.resumed.then(|| fs::read_to_string(self.folder.join(&file)).ok()).flatten();
         if let Some(result) = kept.and_then(|text| serde_json::from_str(&text).ok()) {
             artifacts.keep(&file);
-            eprintln!("{name}: taken from the interrupted run");
+            self.progress.note(&format!("{name}: taken from the interrupted run"));
             return Ok(result);
         }
-        eprintln!("{name}: {}", self.time_left(seconds));
+        self.progress.note(&format!("{name}: {}", self.time_left(seconds)));
         let start = Instant::now();
         let result = make(artifacts)?;
         artifacts.write(&file, serde_json::to_string_pretty(&result)?.as_bytes())?;
@@ -130,25 +140,18 @@ impl<'a> Job<'a> {
     /// Runs `stage`, or takes its result from an interrupted run.
     pub fn run(&mut self, stage: &Stage, artifacts: &mut Artifacts) -> anyhow::Result<Outcome> {
         let folder = self.folder.join(&stage.folder);
-        let global = self.global;
+        let (seed, run) = (self.seed, self.command);
         self.part(&stage.name, stage.seconds, artifacts, |_| {
-            let seed = (global.seed != 0).then(|| format!("--seed {}", global.seed));
+            let seed = (seed != 0).then(|| format!("--seed {seed}"));
             let mut words = vec!["dualsplit".to_owned()];
             words.extend(
                 stage.words.iter().map(|word| if word == FOLDER { display(&folder) } else { word.clone() }),
             );
             words.extend(seed.iter().flat_map(|seed| seed.split(' ')).map(str::to_owned));
             let command = words.join(" ");
-            let cli = Cli::try_parse_from(&words).with_context(|| command.clone())?;
-            let Some(parsed) = &cli.command else { bail!("{command}: no command") };
             let start = Instant::now();
-            let report = dispatch(parsed, &global).with_context(|| command.clone())?;
-            Ok(Outcome {
-                report: serde_json::from_str(&report.render(true))?,
-                difference: report.difference,
-                command,
-                seconds: start.elapsed().as_secs_f64(),
-            })
+            let Finding { report, difference } = run(&words).with_context(|| command.clone())?;
+            Ok(Outcome { report, difference, command, seconds: start.elapsed().as_secs_f64() })
         })
     }
 

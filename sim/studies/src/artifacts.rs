@@ -21,6 +21,9 @@ pub struct Artifacts {
 
 impl Artifacts {
     /// Makes `folder`, or goes on in one that is empty or made by an earlier run; in any other only with `force`.
+    ///
+    /// # Errors
+    /// The folder holds files of others, or cannot be made.
     pub fn create(folder: &Path, force: bool) -> anyhow::Result<Self> {
         let list = folder.join(LIST);
         let owned = match fs::read_to_string(&list) {
@@ -45,6 +48,9 @@ impl Artifacts {
     }
 
     /// Writes the file `name`, a relative path with `/`. A file that the tool did not make is kept without `force`.
+    ///
+    /// # Errors
+    /// The file is not the tool's, or cannot be written.
     pub fn write(&mut self, name: &str, bytes: &[u8]) -> anyhow::Result<()> {
         let path = self.folder.join(name);
         if let Some(parent) = path.parent() {
@@ -82,6 +88,9 @@ impl Artifacts {
     }
 
     /// Removes what earlier runs made and this one did not, and returns the paths of this run's files in order.
+    ///
+    /// # Errors
+    /// A file cannot be removed, or the list not written.
     pub fn finish(mut self) -> anyhow::Result<Vec<PathBuf>> {
         let current: BTreeSet<String> = self.written.iter().cloned().collect();
         for stale in self.owned.difference(&current) {

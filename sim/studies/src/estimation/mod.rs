@@ -1,0 +1,363 @@
+//! Area, energy and speed of the pipelines, beside the published figures, as a report.
+
+mod numbers;
+mod report;
+mod synthesis;
+
+use crate::artifacts::Artifacts;
+use crate::input::SceneSource;
+use crate::progress::{Part, Progress};
+use anyhow::{Context, ensure};
+use estimate::{
+    Alternative, Breakdown, EnergyReport, EstimateError, Implementation, Method, ModuleRow, NodeType,
+    PaperFigures, Scaling, Workload, alternatives, cost,
+};
+use gates::liberty::{embedded, load};
+use gates::words::Structures;
+use golden::build::Quality;
+use netlist::inventory;
+use pipelines::catalogue::Top;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+pub use synthesis::SynthesisRow;
+
+/// What is mapped to what, and measured on which rays.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Liberty files; an embedded table if there are none.
+    pub liberty: Vec<PathBuf>,
+    /// Synthesise the exported Verilog with yosys and ABC too.
+    pub synthesis: bool,
+    /// The scenes whose rays make the nets change; the first is the one of all tables.
+    pub scenes: Vec<SceneSource>,
+    /// Of the trees.
+    pub quality: Quality,
+    /// A folder for the report as text, CSV, JSON and HTML.
+    pub out: Option<PathBuf>,
+    /// Write into a folder that others have made.
+    pub force: bool,
+}
+
+/// Area, energy and speed of the pipelines, beside the published figures.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Estimates {
+    pub scene: String,
+    pub library: LibraryRow,
+    /// Where the numbers below come from, by their keys.
+    pub provenance: BTreeMap<&'static str, String>,
+    pub pipelines: Vec<PipelineRow>,
+    /// The same without redundant comparators.
+    pub lean_pipelines: Vec<PipelineRow>,
+    pub ratios: Vec<RatioRow>,
+    pub scenes: Vec<SceneRow>,
+    pub alternatives: Vec<Alternative>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub synthesis: Vec<SynthesisRow>,
+}
+
+/// The standard cells.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct LibraryRow {
+    pub name: String,
+    pub source: String,
+    pub node_nm: Option<u32>,
+    pub voltage_v: f64,
+    pub gate_equivalent_um2: f64,
+    /// Factors to 65 nm, where there are any.
+    pub scaling: Option<Scaling>,
+}
+
+/// How many of each.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Units {
+    pub int_add: u32,
+    pub fp_add: u32,
+    pub fp_mul: u32,
+    pub fp_min_max: u32,
+    pub fp_cmp: u32,
+}
+
+/// A pipeline by one method.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct EstimateRow {
+    pub method: &'static str,
+    pub area_um2: f64,
+    pub energy_pj: f64,
+    pub glue_area_um2: f64,
+    pub glue_energy_pj: f64,
+    pub source: String,
+}
+
+/// An operation on one type of node.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct TypeRow {
+    pub node_type: NodeType,
+    /// Share of the scene's operations.
+    pub share: f64,
+    pub energy: Breakdown,
+    pub energy_with_glitches: Breakdown,
+}
+
+/// A pipeline.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct PipelineRow {
+    pub name: &'static str,
+    pub units: Units,
+    pub latency_cycles: Option<u32>,
+    pub published: PaperFigures,
+    pub estimates: Vec<EstimateRow>,
+    /// In the library, square micrometres.
+    pub area: Breakdown,
+    /// Of one operation of the scene in the library, femtojoules.
+    pub energy: Breakdown,
+    /// The same with glitches.
+    pub energy_with_glitches: Breakdown,
+    pub operations: u64,
+    pub glitch_operations: u64,
+    /// Standard error of the energy with glitches, as a fraction of it.
+    pub glitch_error: f64,
+    pub cells: usize,
+    pub registers: usize,
+    pub leakage_uw: f64,
+    pub critical_path_ns: f64,
+    pub clock_mhz: f64,
+    pub modules: Vec<ModuleRow>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub node_types: Vec<TypeRow>,
+}
+
+impl PipelineRow {
+    fn energy_report(&self) -> EnergyReport {
+        EnergyReport {
+            zero_delay: self.energy.clone(),
+            with_glitches: self.energy_with_glitches.clone(),
+            operations: self.operations,
+            glitch_operations: self.glitch_operations,
+            glitch_error: self.glitch_error,
+        }
+    }
+}
+
+/// Energy of an operation in the library, in one of the scenes.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct SceneRow {
+    pub scene: String,
+    pub pipeline: &'static str,
+    /// Shares of the types of node among the operations; none for boxes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub node_types: Vec<(NodeType, f64)>,
+    /// Of one operation, femtojoules.
+    pub energy: EnergyReport,
+}
+
+/// Ray-box over dual-split, by one method.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct RatioRow {
+    pub method: String,
+    /// Ray-box over dual-split.
+    pub area: f64,
+    pub energy: f64,
+}
+
+/// Maps and measures the pipelines on the scenes' rays, and writes the report if a folder is given. Returns it as text, too.
+///
+/// # Errors
+/// A scene or a library cannot be loaded, a pipeline not be mapped, or a file not be written; synthesis fails.
+pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates, String)> {
+    ensure!(
+        !args.synthesis || args.liberty.len() == 1,
+        "--synth needs one --liberty FILE, which yosys and ABC map to as well"
+    );
+    let library = if args.liberty.is_empty() { embedded() } else { load(&args.liberty)? };
+    let workloads = (args.scenes.iter())
+        .map(|scene| Ok(Workload::new(&scene.load(progress)?, args.quality)?))
+        .collect::<anyhow::Result<Vec<Workload>>>()?;
+    let workload = workloads.first().context("--scene names no scene")?;
+    let tops = [Top::DualSplit, Top::RayBox, Top::DualSplitLean, Top::RayBoxLean];
+    let part = Part::begin(progress, (tops.len() + workloads.len()) as u64 + 1, "mapping and measuring");
+    let mut rows = Vec::new();
+    let mut implementations = Vec::new();
+    for top in tops {
+        let implementation = Implementation::new(top, &library, Structures::default())?;
+        rows.push(pipeline(&implementation, workload)?);
+        implementations.push(implementation);
+        part.advance(1);
+    }
+    let mut scenes = Vec::new();
+    for (position, workload) in workloads.iter().enumerate() {
+        for (implementation, row) in implementations[..2].iter().zip(&rows) {
+            // The first scene's are known already.
+            let known = (position == 0).then(|| row.energy_report());
+            scenes.push(in_scene(implementation, workload, known)?);
+        }
+        part.advance(1);
+    }
+    let alternatives = alternatives(&implementations[0], &library, workload)?;
+    drop(part);
+    let synthesis = if args.synthesis {
+        let [liberty] = args.liberty.as_slice() else { unreachable!("one file, as checked") };
+        synthesis::run(&implementations[..2], liberty, progress)?
+    } else {
+        Vec::new()
+    };
+    let lean_pipelines = rows.split_off(2);
+    let estimates = Estimates {
+        scene: workload.scene.clone(),
+        library: LibraryRow {
+            name: library.name.clone(),
+            source: library.source.clone(),
+            node_nm: library.node_nm,
+            voltage_v: library.voltage_v,
+            gate_equivalent_um2: library.gate_equivalent_um2(),
+            scaling: Scaling::of(&library),
+        },
+        provenance: numbers::provenance(&library),
+        ratios: ratios(&rows),
+        scenes,
+        pipelines: rows,
+        lean_pipelines,
+        alternatives,
+        synthesis,
+    };
+    let sections = report::sections(&estimates);
+    let text = report::text(&sections);
+    if let Some(folder) = &args.out {
+        let mut artifacts = Artifacts::create(folder, args.force)?;
+        let json = serde_json::to_vec_pretty(&estimates).context("estimate.json")?;
+        artifacts.write("estimate.txt", text.as_bytes())?;
+        artifacts.write("estimate.json", &json)?;
+        artifacts.write("estimate.csv", &numbers::csv(&estimates)?)?;
+        artifacts.write("estimate.html", report::html(&sections).as_bytes())?;
+        artifacts.finish()?;
+    }
+    Ok((estimates, text))
+}
+
+fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Result<PipelineRow> {
+    let top = implementation.top;
+    let counts = inventory(&implementation.design)?;
+    let count = |kind: &str| counts.units.get(kind).copied().unwrap_or(0);
+    let stream = workload.streams(implementation)?;
+    let energy = implementation.energy(&stream);
+    let mut estimates = Vec::new();
+    let methods = [
+        ("published", Method::Published),
+        ("netlist", Method::Netlist(implementation.library)),
+        ("scaled", Method::Scaled(implementation.library)),
+    ];
+    for (name, method) in methods {
+        match cost(implementation, &energy.zero_delay, method) {
+            Ok(cost) => estimates.push(EstimateRow {
+                method: name,
+                area_um2: cost.area_um2,
+                energy_pj: cost.energy_pj,
+                glue_area_um2: cost.glue_area_um2,
+                glue_energy_pj: cost.glue_energy_pj,
+                source: cost.source,
+            }),
+            // A technology without published coefficients has no such row; the report says so.
+            Err(EstimateError::Unscalable(_)) => (),
+            Err(error) => return Err(error.into()),
+        }
+    }
+    let is_box = matches!(top, Top::RayBox | Top::RayBoxLean);
+    let mut node_types = Vec::new();
+    for node_type in NodeType::ALL.into_iter().filter(|_| !is_box) {
+        let stream = workload.nodes_of(implementation, |other| other == node_type);
+        let energy = implementation.energy(&stream);
+        if energy.operations > 0 {
+            node_types.push(TypeRow {
+                node_type,
+                share: stream.len() as f64 / workload.nodes.len() as f64,
+                energy: energy.zero_delay,
+                energy_with_glitches: energy.with_glitches,
+            });
+        }
+    }
+    Ok(PipelineRow {
+        name: top.name(),
+        units: Units {
+            int_add: count("int_add"),
+            fp_add: count("fp_add"),
+            fp_mul: count("fp_mul"),
+            fp_min_max: count("fp_min_max"),
+            fp_cmp: count("fp_cmp"),
+        },
+        latency_cycles: counts.latency_cycles,
+        published: PaperFigures::of(top)?,
+        estimates,
+        area: implementation.area(),
+        energy: energy.zero_delay,
+        energy_with_glitches: energy.with_glitches,
+        operations: energy.operations,
+        glitch_operations: energy.glitch_operations,
+        glitch_error: energy.glitch_error,
+        cells: implementation.mapped.gates.len(),
+        registers: implementation.mapped.registers.len(),
+        leakage_uw: implementation.leakage_nw() / 1e3,
+        critical_path_ns: implementation.timing.critical_path_ns,
+        clock_mhz: implementation.timing.clock_mhz(),
+        modules: implementation.modules(),
+        node_types,
+    })
+}
+
+fn in_scene(
+    implementation: &Implementation,
+    workload: &Workload,
+    known: Option<EnergyReport>,
+) -> anyhow::Result<SceneRow> {
+    let is_box = matches!(implementation.top, Top::RayBox | Top::RayBoxLean);
+    let share = |node_type: NodeType| {
+        let count = workload.nodes.iter().filter(|case| NodeType::of(case.words[0]) == node_type).count();
+        (node_type, count as f64 / workload.nodes.len() as f64)
+    };
+    let energy = match known {
+        Some(energy) => energy,
+        None => implementation.energy(&workload.streams(implementation)?),
+    };
+    Ok(SceneRow {
+        scene: workload.scene.clone(),
+        pipeline: implementation.top.name(),
+        node_types: NodeType::ALL.into_iter().filter(|_| !is_box).map(share).collect(),
+        energy,
+    })
+}
+
+/// How much smaller the dual-split pipeline is, by each method.
+fn ratios(rows: &[PipelineRow]) -> Vec<RatioRow> {
+    let [dual_split, ray_box] = rows else { return Vec::new() };
+    let mut ratios = vec![RatioRow {
+        method: "paper".to_owned(),
+        area: ray_box.published.area_um2 / dual_split.published.area_um2,
+        energy: ray_box.published.energy_pj / dual_split.published.energy_pj,
+    }];
+    for (small, large) in dual_split.estimates.iter().zip(&ray_box.estimates) {
+        ratios.push(RatioRow {
+            method: small.method.to_owned(),
+            area: large.area_um2 / small.area_um2,
+            energy: large.energy_pj / small.energy_pj,
+        });
+    }
+    ratios.push(RatioRow {
+        method: "netlist with registers and clock".to_owned(),
+        area: ray_box.area.total() / dual_split.area.total(),
+        energy: ray_box.energy.total() / dual_split.energy.total(),
+    });
+    ratios.push(RatioRow {
+        method: "netlist with registers, clock and glitches".to_owned(),
+        area: ray_box.area.total() / dual_split.area.total(),
+        energy: ray_box.energy_with_glitches.total() / dual_split.energy_with_glitches.total(),
+    });
+    ratios
+}

@@ -1,0 +1,88 @@
+//! Verilog of the hardware with everything that another engineer needs to use it.
+
+use crate::artifacts::Artifacts;
+use crate::progress::{Part, Progress};
+use anyhow::ensure;
+use equivalence::Stimulus;
+use netlist::verilog::{PackageOptions, package};
+use netlist::{flatten, mask};
+use pipelines::catalogue::{StandardFormat, Top};
+use std::path::PathBuf;
+
+/// Which modules.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The folder that is written.
+    pub out: PathBuf,
+    /// The number format of the modules.
+    pub format: StandardFormat,
+    /// The unit or pipeline; all that there are in the format if there is none.
+    pub unit: Option<Top>,
+    /// Cycles in each testbench.
+    pub vectors: u32,
+    /// Clock period of the timing constraint in nanoseconds.
+    pub period_ns: f64,
+    /// Seed of the stimulus.
+    pub seed: u64,
+    /// Write into a folder that others have made.
+    pub force: bool,
+}
+
+/// Writes the modules, and returns the files.
+///
+/// # Errors
+/// The clock period is not positive, a unit does not exist in the format, or a file cannot be written.
+pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Vec<PathBuf>> {
+    ensure!(
+        args.period_ns.is_finite() && args.period_ns > 0.0,
+        "--period-ns {}: a clock period is a positive number of nanoseconds",
+        args.period_ns
+    );
+    let tops = match args.unit {
+        Some(top) => vec![top],
+        None => Top::ALL.iter().copied().filter(|top| top.formats().contains(&args.format)).collect(),
+    };
+    let mut artifacts = Artifacts::create(&args.out, args.force)?;
+    let part = Part::begin(progress, tops.len() as u64, "writing Verilog");
+    for top in tops {
+        let design = top.design(args.format)?;
+        let netlist = flatten(&design)?;
+        let stimulus = Stimulus::new(top, args.format, &netlist, args.seed);
+        let fits = |(value, port): (&u128, &netlist::Port)| value & mask(port.width);
+        let vectors: Vec<Vec<u128>> = stimulus
+            .take(args.vectors as usize)
+            .map(|inputs| inputs.iter().zip(&netlist.inputs).map(fits).collect())
+            .collect();
+        let options = PackageOptions { description: description(top), period_ns: args.period_ns };
+        for file in package(&design, &options, &vectors)? {
+            artifacts.write(&file.name, file.contents.as_bytes())?;
+        }
+        part.advance(1);
+    }
+    artifacts.finish()
+}
+
+/// What a top does, for its README.
+fn description(top: Top) -> &'static str {
+    match top {
+        Top::IntAdd => "Adds two unsigned words modulo 2^32.",
+        Top::FpAdd => {
+            "Adds or subtracts two floating-point numbers as IEEE 754 says, in five rounding directions."
+        }
+        Top::FpMul => "Multiplies two floating-point numbers as IEEE 754 says, in five rounding directions.",
+        Top::FpMinMax => "Minimum or maximum of two floating-point numbers; NaN is dropped or propagated.",
+        Top::FpCmp => "Compares two floating-point numbers; NaN is unordered.",
+        Top::DualSplit => "One step of dual-split-tree traversal per cycle, with the published units.",
+        Top::DualSplitLean => {
+            "One step of dual-split-tree traversal per cycle, without redundant comparators."
+        }
+        Top::RayBox => "One ray-box intersection test per cycle, with the published units.",
+        Top::RayBoxLean => "One ray-box intersection test per cycle, without the redundant comparator.",
+        Top::RayBoxX2 => "Intersection tests of one ray with two boxes per cycle.",
+        Top::RayBoxX4 => "Intersection tests of one ray with four boxes per cycle.",
+        Top::RayBoxX8 => "Intersection tests of one ray with eight boxes per cycle.",
+        Top::SharedUnits => {
+            "Eight adders and multipliers, singly or routed into one of the traversal pipelines."
+        }
+    }
+}

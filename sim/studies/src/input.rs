@@ -1,0 +1,196 @@
+//! What the studies start from: scenes, trees, views, and names of files to write.
+
+use crate::progress::{Part, Progress};
+use anyhow::{Context, bail, ensure};
+use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
+use golden::structure::{Structure, StructureKind, pack_triangles};
+use golden::tree_file;
+use golden::triangle::Triangle;
+use scenes::Scene;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Irradiance at the target of a light that was moved.
+const IRRADIANCE_AT_TARGET: f64 = 4.0;
+
+/// A scene by name.
+#[derive(Clone, Debug)]
+pub struct SceneSource {
+    /// A built-in scene or an OBJ file, which may be xz-compressed.
+    pub name: String,
+    /// Fraction of a built-in scene's full number of triangles, above 0 and at most 1.
+    pub detail: f64,
+    /// Seed of a built-in scene.
+    pub seed: u64,
+}
+
+impl SceneSource {
+    /// Loads or makes the scene.
+    ///
+    /// # Errors
+    /// There is no such scene or file, or the file holds no scene.
+    pub fn load(&self, progress: &dyn Progress) -> anyhow::Result<Scene> {
+        let _part = Part::endless(progress, &format!("loading {}", self.name));
+        Ok(Scene::load(&self.name, self.detail, self.seed)?)
+    }
+}
+
+/// The preset's name on the command line and in result files.
+pub fn quality_name(quality: Quality) -> &'static str {
+    match quality {
+        Quality::Fast => "fast",
+        Quality::Medium => "medium",
+        Quality::High => "high",
+    }
+}
+
+/// A binary hierarchy and all that is converted from it.
+pub struct Built {
+    /// The hierarchy.
+    pub tree: BinaryTree,
+    /// Its triangles, in the order of its leaves.
+    pub triangles: Arc<[Triangle]>,
+    /// Milliseconds that building took.
+    pub build_ms: f64,
+}
+
+impl Built {
+    /// Builds the hierarchy over `scene`.
+    ///
+    /// # Errors
+    /// The builder's, with the name of the scene.
+    pub fn new(scene: &Scene, quality: Quality, progress: &dyn Progress) -> anyhow::Result<Self> {
+        let _part = Part::endless(progress, &format!("building over {}", scene.name));
+        Self::with(scene, || build(&scene.mesh, &BuildOptions::new(quality)))
+    }
+
+    /// Takes the hierarchy over `scene` that `build` makes.
+    ///
+    /// # Errors
+    /// Those of `build`, with the name of the scene.
+    pub fn with(
+        scene: &Scene,
+        build: impl FnOnce() -> Result<BinaryTree, BuildError>,
+    ) -> anyhow::Result<Self> {
+        let start = Instant::now();
+        let tree = build().with_context(|| scene.name.clone())?;
+        let build_ms = milliseconds(start);
+        let triangles = pack_triangles(&scene.mesh, &tree);
+        Ok(Self { tree, triangles, build_ms })
+    }
+
+    /// Converts the hierarchy, and says how many milliseconds that took.
+    ///
+    /// # Errors
+    /// The structure cannot hold so many nodes or triangles.
+    pub fn convert(&self, kind: StructureKind) -> anyhow::Result<(Structure, f64)> {
+        let start = Instant::now();
+        let structure = Structure::convert(kind, &self.tree, &self.triangles)?;
+        Ok((structure, milliseconds(start)))
+    }
+}
+
+/// The structure that rays are traced through: built, or loaded from a file.
+#[derive(Clone, Debug)]
+pub struct StructureSource {
+    /// What is built.
+    pub kind: StructureKind,
+    /// How it is built.
+    pub quality: Quality,
+    /// The file that it is loaded from instead.
+    pub file: Option<PathBuf>,
+}
+
+impl StructureSource {
+    /// The structure over `scene`.
+    ///
+    /// # Errors
+    /// Building fails, or the file holds no structure over this scene.
+    pub fn load(&self, scene: &Scene, progress: &dyn Progress) -> anyhow::Result<Structure> {
+        let Some(path) = &self.file else {
+            return Ok(Built::new(scene, self.quality, progress)?.convert(self.kind)?.0);
+        };
+        let _part = Part::endless(progress, &format!("loading {}", path.display()));
+        let structure = tree_file::load(path)?;
+        structure.check_over(&scene.mesh).with_context(|| {
+            format!("{}: not a tree over {}; save one of this scene", path.display(), scene.name)
+        })?;
+        Ok(structure)
+    }
+
+    /// The preset that the structure is built with; none is known of one from a file.
+    pub fn quality_name(&self) -> Option<&'static str> {
+        self.file.is_none().then(|| quality_name(self.quality))
+    }
+}
+
+/// Milliseconds since `start`.
+pub fn milliseconds(start: Instant) -> f64 {
+    start.elapsed().as_secs_f64() * 1e3
+}
+
+/// Where from and under which light; what is not given stays the scene's own.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct View {
+    /// Position of the camera.
+    pub eye: Option<[f32; 3]>,
+    /// Point in the centre of the image.
+    pub target: Option<[f32; 3]>,
+    /// Direction that appears upwards.
+    pub up: Option<[f32; 3]>,
+    /// Vertical field of view in degrees.
+    pub fov_y_degrees: Option<f32>,
+    /// Position of the point light, whose brightness is then adapted to its distance from the target.
+    pub light: Option<[f32; 3]>,
+}
+
+impl View {
+    /// Changes camera and light of `scene`.
+    ///
+    /// # Errors
+    /// The light is at the target.
+    pub fn apply(&self, scene: &mut Scene) -> anyhow::Result<()> {
+        let camera = &mut scene.camera;
+        camera.eye = self.eye.unwrap_or(camera.eye);
+        camera.target = self.target.unwrap_or(camera.target);
+        camera.up = self.up.unwrap_or(camera.up);
+        camera.fov_y_degrees = self.fov_y_degrees.unwrap_or(camera.fov_y_degrees);
+        if let Some(light) = self.light {
+            let squared: f64 =
+                light.iter().zip(camera.target).map(|(a, b)| (f64::from(*a) - f64::from(b)).powi(2)).sum();
+            ensure!(squared > 0.0, "--light {light:?} is at the target: move one of them");
+            let intensity =
+                (IRRADIANCE_AT_TARGET * squared).clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
+            scene.light = scenes::PointLight { position: light, intensity: [intensity as f32; 3] };
+        }
+        Ok(())
+    }
+}
+
+/// `path` as result files name it; what is not Unicode in it is replaced.
+pub fn display(path: &Path) -> String {
+    path.display().to_string()
+}
+
+/// Refuses early what writing `path` would refuse after all the work: no folder, or a file that is to be kept.
+///
+/// # Errors
+/// The refusal; `option` says in it what the path was given for.
+pub fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+        bail!(
+            "{option} {}: there is no folder {}; make it, or name another",
+            path.display(),
+            folder.display()
+        );
+    }
+    if path.is_dir() {
+        bail!("{option} {}: this is a folder; name a file", path.display());
+    }
+    if !force && path.symlink_metadata().is_ok() {
+        return Err(base::output::WriteError::Exists(path.to_owned())).context(option.to_owned());
+    }
+    Ok(())
+}

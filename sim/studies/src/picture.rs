@@ -1,0 +1,175 @@
+//! A scene rendered to a file: a picture, a heat map of the work that it takes, or all counters as layers.
+
+use crate::input::{SceneSource, StructureSource, View, check_writable, display};
+use crate::progress::{Part, Progress};
+use crate::work::ClassRow;
+use anyhow::ensure;
+use base::output::write_file;
+use golden::Mode;
+use render::ray_file::write_rays;
+use render::{RenderOptions, Test, render};
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+use view::picture::heatmap::{self, Quantity};
+use view::picture::{Format, exr, max_radiance, png};
+
+/// What is rendered, and where it is written.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Of what.
+    pub scene: SceneSource,
+    /// Through what.
+    pub structure: StructureSource,
+    /// Which rays.
+    pub test: Test,
+    /// How plane distances are rounded.
+    pub mode: Mode,
+    /// From where.
+    pub view: View,
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Samples per pixel.
+    pub samples: u32,
+    /// Seed of the samples.
+    pub seed: u64,
+    /// Brightness of a PNG in factors of two.
+    pub exposure: f32,
+    /// Draw this quantity instead of the picture.
+    pub heatmap: Option<Quantity>,
+    /// Value at the end of the heat map's scale; without, the largest of the picture.
+    pub heatmap_max: Option<u32>,
+    /// The picture: `.png` (sRGB) or `.exr` (linear, with depth, normal, triangle and the counters as layers).
+    pub out: PathBuf,
+    /// Where the traced rays are written.
+    pub rays: Option<PathBuf>,
+    /// Replace files that exist.
+    pub force: bool,
+}
+
+/// A picture that was rendered.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Picture {
+    pub scene: String,
+    pub triangles: usize,
+    pub structure: &'static str,
+    pub test: &'static str,
+    pub mode: &'static str,
+    /// Absent for a structure that was loaded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quality: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tree: Option<String>,
+    pub width: u32,
+    pub height: u32,
+    pub spp: u32,
+    pub seed: u64,
+    pub rays: u64,
+    pub hits: u64,
+    pub seconds: f64,
+    /// The largest value of what is drawn, `max_of`: the heat map's quantity, or the radiance of a channel.
+    pub max: f64,
+    pub max_of: &'static str,
+    /// The largest work of any pixel, if work was counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub maxima: Option<Maxima>,
+    pub classes: Vec<ClassRow>,
+    pub out: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rays_out: Option<String>,
+}
+
+/// Of any pixel.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Maxima {
+    pub node_visits: u32,
+    pub plane_tests: u32,
+    pub triangle_tests: u32,
+    pub stack_depth: u32,
+}
+
+/// Renders and writes.
+///
+/// # Errors
+/// The options contradict each other, the scene or the structure cannot be loaded, or a file not written.
+pub fn run(o: &Options, progress: &dyn Progress) -> anyhow::Result<Picture> {
+    let format = Format::of(&o.out)?;
+    ensure!(
+        o.heatmap.is_none() || format == Format::Png,
+        "--out {}: a heat map is a .png; an .exr holds all counters as layers without --heatmap",
+        o.out.display()
+    );
+    ensure!(o.exposure.is_finite(), "--exposure {}: give a finite number of stops", o.exposure);
+    check_writable("--out", &o.out, o.force)?;
+    if let Some(rays) = &o.rays {
+        check_writable("--rays", rays, o.force)?;
+    }
+    let [width, height] = o.size;
+    let options = RenderOptions {
+        samples: o.samples,
+        seed: o.seed,
+        mode: o.mode,
+        count_work: o.heatmap.is_some() || format == Format::Exr,
+        keep_rays: o.rays.is_some(),
+        ..RenderOptions::new(o.test, width, height)
+    };
+    let mut scene = o.scene.load(progress)?;
+    o.view.apply(&mut scene)?;
+    let structure = o.structure.load(&scene, progress)?;
+
+    let part = Part::begin(progress, u64::from(height), &format!("rendering {}", scene.name));
+    let start = Instant::now();
+    let rendering = render(&structure, &scene, &options, |rows| part.advance(rows))?;
+    let seconds = start.elapsed().as_secs_f64();
+    drop(part);
+
+    let bytes = match (format, o.heatmap) {
+        (Format::Png, None) => png::encode(&png::develop(&rendering, o.exposure)),
+        (Format::Png, Some(quantity)) => {
+            png::encode(&heatmap::of_rendering(&rendering, quantity, o.heatmap_max))
+        }
+        (Format::Exr, _) => exr::encode(&rendering),
+    };
+    write_file(&o.out, o.force, |out| out.write_all(&bytes))?;
+    if let (Some(path), Some(stream)) = (&o.rays, &rendering.rays) {
+        write_rays(path, stream, o.force)?;
+    }
+
+    let (max, max_of) = match o.heatmap {
+        Some(quantity) => (f64::from(quantity.max(&rendering)), quantity.name()),
+        None => (f64::from(max_radiance(&rendering)), "radiance"),
+    };
+    let total = rendering.total();
+    Ok(Picture {
+        scene: scene.name,
+        triangles: scene.mesh.triangles.len(),
+        structure: structure.kind().name(),
+        test: o.test.name(),
+        mode: o.mode.name(),
+        quality: o.structure.quality_name(),
+        tree: o.structure.file.as_deref().map(display),
+        width,
+        height,
+        spp: o.samples,
+        seed: o.seed,
+        rays: total.rays,
+        hits: total.hits,
+        seconds,
+        max,
+        max_of,
+        maxima: options.count_work.then(|| Maxima {
+            node_visits: Quantity::NodeVisits.max(&rendering),
+            plane_tests: Quantity::PlaneTests.max(&rendering),
+            triangle_tests: Quantity::TriangleTests.max(&rendering),
+            stack_depth: Quantity::StackDepth.max(&rendering),
+        }),
+        classes: rendering
+            .classes()
+            .map(|(class, totals)| ClassRow::new(class, totals, options.count_work))
+            .collect(),
+        out: display(&o.out),
+        rays_out: o.rays.as_deref().map(display),
+    })
+}

@@ -1,0 +1,258 @@
+//! Frames and reference runs on the many-core machine.
+
+use crate::fidelity::auto::{Step, auto};
+use crate::fidelity::{Interval, Level, Sample, Subject};
+use crate::input::{Built, SceneSource, check_writable};
+use crate::progress::{Part, Progress};
+use anyhow::ensure;
+use base::output::write_file;
+use estimate::Method;
+use golden::Mode;
+use golden::build::Quality;
+use machine::description::MachineDescription;
+use machine::frame::{FrameMachine, MachineStructure};
+use machine::reference::{ReferenceRuns, ValidatedRun};
+use machine::results::{Quantity, Results};
+use rayon::prelude::*;
+use render::{RenderOptions, Test};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// How closely a frame is simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fidelity {
+    /// At this level.
+    Level(Level),
+    /// At the cheapest level and sample that are within the tolerance.
+    Auto,
+}
+
+impl Fidelity {
+    /// All of them.
+    pub const ALL: [Self; 4] =
+        [Self::Level(Level::Analytic), Self::Level(Level::Transaction), Self::Level(Level::Rtl), Self::Auto];
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Level(level) => level.name(),
+            Self::Auto => "auto",
+        }
+    }
+}
+
+/// Which frame, on what, and how closely.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The scene, whose seed is also that of the samples.
+    pub scene: SceneSource,
+    /// The structure, with its program and its pipeline.
+    pub structure: MachineStructure,
+    /// Which rays.
+    pub test: Test,
+    /// How plane distances are rounded.
+    pub mode: Mode,
+    /// Of the tree.
+    pub quality: Quality,
+    /// Width and height of the image in pixels.
+    pub size: [u32; 2],
+    /// The machine.
+    pub machine: MachineDescription,
+    /// How area and energy of the pipeline are found.
+    pub pipeline_cost: Method<'static>,
+    /// How closely.
+    pub fidelity: Fidelity,
+    /// Time only this share of the frame and estimate the rest.
+    pub sample: Option<f64>,
+    /// For `auto`: greatest distance of the ends of the 95 % intervals of frame time and energy from their values, as a
+    /// fraction of them; without, 0.02.
+    pub tolerance: Option<f64>,
+    /// Where the results are written as CSV.
+    pub csv: Option<PathBuf>,
+    /// Replace a file that exists.
+    pub force: bool,
+}
+
+/// What `auto` is within by default.
+const TOLERANCE: f64 = 0.02;
+
+/// A frame's results with what it is a frame of.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Simulation {
+    pub scene: String,
+    pub triangles: usize,
+    pub structure: &'static str,
+    pub test: &'static str,
+    pub mode: &'static str,
+    pub machine: String,
+    pub width: u32,
+    pub height: u32,
+    pub node_bytes: usize,
+    /// Of the pixels recorded: all of them, but for an analytic sample.
+    pub rays: u64,
+    pub exact_triangle_tests: u64,
+    pub triangle_tests: u64,
+    pub fidelity: FidelityRow,
+    #[serde(flatten)]
+    pub results: Results,
+    /// The results again, each with its unit and meaning.
+    pub quantities: Vec<Quantity>,
+    /// Of the host; the only numbers here that differ from run to run.
+    pub seconds: f64,
+    pub simulated_rays_per_second: f64,
+}
+
+/// How closely the frame was simulated, and what that leaves open.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct FidelityRow {
+    pub asked: &'static str,
+    pub level: &'static str,
+    pub batches: u32,
+    pub batches_measured: u32,
+    pub pixels_timed_share: f64,
+    /// Of 95 % confidence; of a point if nothing was left out.
+    pub frame_ms: Interval,
+    pub energy_mj: Interval,
+    /// The resource that an analytic bound is due to.
+    pub bound_by: Option<String>,
+    /// Pipeline operations that the netlist executed, and those whose result differed.
+    pub rtl_operations: u64,
+    pub rtl_differences: u64,
+    /// What `auto` did, the result last.
+    pub steps: Vec<StepRow>,
+}
+
+/// A step of `auto`.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct StepRow {
+    pub level: &'static str,
+    pub batches_measured: u32,
+    pub pixels_timed_share: f64,
+    pub frame_ms: Interval,
+    pub energy_mj: Interval,
+    pub verdict: String,
+}
+
+impl StepRow {
+    fn new(step: &Step) -> Self {
+        let e = &step.estimate;
+        Self {
+            level: e.level.name(),
+            batches_measured: e.measured,
+            pixels_timed_share: e.timed_share,
+            frame_ms: e.frame_ms,
+            energy_mj: e.energy_mj,
+            verdict: step.verdict.clone(),
+        }
+    }
+}
+
+/// Simulates the frame.
+///
+/// # Errors
+/// The options contradict each other, the scene cannot be loaded, the simulation fails, or the file cannot be written.
+pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation> {
+    if let Some(csv) = &args.csv {
+        check_writable("--csv", csv, args.force)?;
+    }
+    let machine = &args.machine;
+    ensure!(
+        args.fidelity == Fidelity::Auto || args.tolerance.is_none(),
+        "--tolerance: goes with --fidelity auto; a level with --sample says what its interval is"
+    );
+    ensure!(
+        args.fidelity != Fidelity::Auto || args.sample.is_none(),
+        "--sample: --fidelity auto draws its own samples; name a level"
+    );
+    let set_up = FrameMachine::new(machine, args.structure, estimate::by_name(args.pipeline_cost))?;
+    let scene = args.scene.load(progress)?;
+    let built = Built::new(&scene, args.quality, progress)?;
+    let (structure, _) = built.convert(args.structure.kind())?;
+    let [width, height] = args.size;
+    let mut options = RenderOptions::new(args.test, width, height);
+    options.mode = args.mode;
+    options.seed = args.scene.seed;
+    let subject = Subject { machine: &set_up, scene: &scene, structure: &structure, options: &options };
+    let part = Part::begin(progress, u64::from(width) * u64::from(height), "simulating");
+    let start = Instant::now();
+    let (estimate, steps) = match args.fidelity {
+        Fidelity::Auto => {
+            let tolerance = args.tolerance.unwrap_or(TOLERANCE);
+            let mut steps = auto(&subject, tolerance, args.scene.seed, |pixels| part.advance(pixels.into()))?;
+            let rows = steps.iter().map(StepRow::new).collect();
+            (steps.pop().expect("there is a first step").estimate, rows)
+        }
+        Fidelity::Level(level) => {
+            let batches = subject.batches(Sample::ALL.batch_fills);
+            let sample = Sample::share(args.sample.unwrap_or(1.0), &batches, args.scene.seed);
+            (subject.estimate(level, &sample, |pixels| part.advance(pixels.into()))?, vec![])
+        }
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    drop(part);
+    let totals = estimate.totals;
+    if let Some(csv) = &args.csv {
+        let text = estimate.results.to_csv(totals.rays);
+        write_file(csv, args.force, |file| file.write_all(text.as_bytes()))?;
+    }
+    Ok(Simulation {
+        scene: scene.name.clone(),
+        triangles: scene.mesh.triangles.len(),
+        structure: args.structure.name(),
+        test: args.test.name(),
+        mode: args.mode.name(),
+        machine: machine.name.clone(),
+        width,
+        height,
+        node_bytes: structure.node_bytes(),
+        rays: totals.rays,
+        exact_triangle_tests: totals.exact_tests,
+        triangle_tests: totals.triangle_tests,
+        fidelity: FidelityRow {
+            asked: args.fidelity.name(),
+            level: estimate.level.name(),
+            batches: estimate.batches,
+            batches_measured: estimate.measured,
+            pixels_timed_share: estimate.timed_share,
+            frame_ms: estimate.frame_ms,
+            energy_mj: estimate.energy_mj,
+            bound_by: estimate.bound_by.clone(),
+            rtl_operations: totals.rtl_operations,
+            rtl_differences: totals.rtl_differences,
+            steps,
+        },
+        quantities: estimate.results.quantities(totals.rays),
+        results: estimate.results,
+        seconds,
+        simulated_rays_per_second: totals.rays as f64 * estimate.timed_share / seconds,
+    })
+}
+
+/// The reference runs beside ours.
+#[derive(Debug, Serialize)]
+pub struct Validation {
+    /// All of them.
+    pub runs: Vec<ValidatedRun>,
+}
+
+/// Makes the reference runs of a folder, each on one thread.
+///
+/// # Errors
+/// The folder cannot be read, or a run fails.
+pub fn validate(folder: &Path, progress: &dyn Progress) -> anyhow::Result<Validation> {
+    let reference = ReferenceRuns::read(folder)?;
+    let part = Part::begin(progress, reference.runs.len() as u64, "validating");
+    let one = |run| {
+        // Within a pool of one thread, large machines do not share out their multiprocessors.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+        let validated = pool.install(|| reference.validate(run))?;
+        part.advance(1);
+        Ok(validated)
+    };
+    let runs: Vec<ValidatedRun> = reference.runs.par_iter().map(one).collect::<anyhow::Result<_>>()?;
+    Ok(Validation { runs })
+}

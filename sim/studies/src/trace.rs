@@ -1,0 +1,140 @@
+//! A saved ray stream, traced for closest hits.
+
+use crate::input::{SceneSource, StructureSource, check_writable, display};
+use crate::progress::{Part, Progress};
+use crate::work::ClassRow;
+use golden::structure::Structure;
+use golden::traverse::{Counters, Trace};
+use golden::{Mode, Ray, TraversalRay};
+use rayon::prelude::*;
+use render::ray_file::{FileHit, read_rays, write_hits};
+use render::{ClassTotals, RayClass, RayStream};
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// What is traced, and where the hits are written.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// In what.
+    pub scene: SceneSource,
+    /// Through what.
+    pub structure: StructureSource,
+    /// The rays, a DSTRAYS1 file.
+    pub rays: PathBuf,
+    /// How plane distances are rounded.
+    pub mode: Mode,
+    /// Where the hits are written, as a DSTHITS1 file.
+    pub out: Option<PathBuf>,
+    /// Replace a file that exists.
+    pub force: bool,
+}
+
+/// What was traced and found.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Traced {
+    pub scene: String,
+    pub triangles: usize,
+    pub structure: &'static str,
+    pub mode: &'static str,
+    /// Absent for a structure that was loaded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quality: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tree: Option<String>,
+    pub threads: usize,
+    pub rays: u64,
+    pub hits: u64,
+    pub seconds: f64,
+    pub rays_per_second: f64,
+    pub node_visits: u64,
+    pub plane_tests: u64,
+    pub box_tests: u64,
+    pub triangle_tests: u64,
+    pub bytes: u64,
+    pub stack_depth: u32,
+    pub classes: Vec<ClassRow>,
+    pub out: Option<String>,
+}
+
+/// Traces all rays twice: for their hits and the time, and once more to count the work.
+///
+/// # Errors
+/// The rays, the scene or the structure cannot be loaded, or the hits not written.
+pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Traced> {
+    if let Some(out) = &options.out {
+        check_writable("--out", out, options.force)?;
+    }
+    let stream = read_rays(&options.rays)?;
+    let scene = options.scene.load(progress)?;
+    let structure = options.structure.load(&scene, progress)?;
+    let mode = options.mode;
+
+    let start = Instant::now();
+    let hits = closest(&structure, &stream.rays, mode);
+    let seconds = start.elapsed().as_secs_f64();
+    let classes = classes(&structure, &stream, mode, progress);
+    if let Some(out) = &options.out {
+        write_hits(out, &hits, options.force)?;
+    }
+
+    let mut all = Counters::default();
+    classes.iter().for_each(|(_, totals)| all.merge(&totals.counters));
+    Ok(Traced {
+        scene: scene.name,
+        triangles: scene.mesh.triangles.len(),
+        structure: structure.kind().name(),
+        mode: mode.name(),
+        quality: options.structure.quality_name(),
+        tree: options.structure.file.as_deref().map(display),
+        threads: rayon::current_num_threads(),
+        rays: hits.len() as u64,
+        hits: hits.iter().flatten().count() as u64,
+        seconds,
+        rays_per_second: if seconds > 0.0 { hits.len() as f64 / seconds } else { 0.0 },
+        node_visits: all.node_visits,
+        plane_tests: all.plane_tests,
+        box_tests: all.box_tests,
+        triangle_tests: all.triangle_tests,
+        bytes: all.bytes,
+        stack_depth: all.stack_depth,
+        classes: classes.iter().map(|(class, totals)| ClassRow::new(*class, totals, true)).collect(),
+        out: options.out.as_deref().map(display),
+    })
+}
+
+/// The closest hit of every ray, without observation.
+fn closest(structure: &Structure, rays: &[Ray], mode: Mode) -> Vec<Option<FileHit>> {
+    let hit =
+        |ray: &Ray| structure.closest(ray, mode).map(|hit| FileHit { triangle: hit.triangle, t: hit.t });
+    rays.par_iter().with_min_len(1024).map(hit).collect()
+}
+
+/// What the rays of each class find and cost.
+fn classes(
+    structure: &Structure,
+    stream: &RayStream,
+    mode: Mode,
+    progress: &dyn Progress,
+) -> Vec<(RayClass, ClassTotals)> {
+    let part = Part::begin(progress, stream.rays.len() as u64, "counting");
+    let observe = |ray: &Ray| {
+        let mut counters = Counters::default();
+        let hit = TraversalRay::new(ray, mode)
+            .and_then(|ray| structure.closest_prepared(&ray, &mut counters))
+            .is_some();
+        ClassTotals { rays: 1, hits: u64::from(hit), counters }
+    };
+    // Sums and maxima of integers: the order does not matter.
+    let merged = |mut a: ClassTotals, b: ClassTotals| {
+        a.merge(&b);
+        a
+    };
+    let class = |(class, rays): (RayClass, &[Ray])| {
+        let totals = rays.par_iter().map(observe).reduce(ClassTotals::default, merged);
+        part.advance(rays.len() as u64);
+        (class, totals)
+    };
+    stream.by_wave().map(class).collect()
+}

@@ -1,0 +1,86 @@
+//! What a unit does with a scene's rays, as a waveform.
+
+use crate::drive::{self, Traversals};
+use crate::input::{Built, SceneSource, check_writable};
+use crate::progress::Progress;
+use anyhow::bail;
+use base::output::write_file;
+use golden::build::Quality;
+use golden::{Mode, Ray, TraversalRay};
+use netlist::flatten;
+use pipelines::catalogue::{StandardFormat, Top};
+use scenes::Scene;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// Which unit and which rays.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The unit or pipeline; single units show what they are given inside the dual-split pipeline.
+    pub unit: Top,
+    /// The scene.
+    pub scene: SceneSource,
+    /// Number of rays, from the camera towards vertices spread over the mesh.
+    pub rays: u32,
+    /// How plane distances are rounded.
+    pub mode: Mode,
+    /// Of the tree.
+    pub quality: Quality,
+    /// The waveform, a VCD file.
+    pub out: PathBuf,
+    /// Replace a file that exists.
+    pub force: bool,
+}
+
+/// What was written.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Wave {
+    pub unit: &'static str,
+    pub scene: String,
+    pub rays: usize,
+    pub operations: usize,
+    pub cycles: usize,
+    pub path: PathBuf,
+}
+
+/// Writes the waveform.
+///
+/// # Errors
+/// The scene cannot be loaded, no ray has a direction, or the file cannot be written.
+pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Wave> {
+    check_writable("--out", &args.out, args.force)?;
+    let scene = args.scene.load(progress)?;
+    let built = Built::new(&scene, args.quality, progress)?;
+    let rays: Vec<TraversalRay> =
+        camera_rays(&scene, args.rays).iter().filter_map(|ray| TraversalRay::new(ray, args.mode)).collect();
+    if rays.is_empty() {
+        bail!("{}: no ray of the camera has a direction", scene.name);
+    }
+    let netlist = flatten(&args.unit.design(StandardFormat::Binary32)?)?;
+    let traversals = Traversals { tree: &built.tree, triangles: &built.triangles, rays: &rays };
+    let (cycles, operations) = drive::cycles(args.unit, &netlist, &traversals)?;
+    let wave = Wave {
+        unit: args.unit.name(),
+        scene: scene.name,
+        rays: rays.len(),
+        operations,
+        cycles: cycles.len(),
+        path: args.out.clone(),
+    };
+    write_file(&args.out, args.force, |out| {
+        netlist::wave::write(&netlist, cycles, pipelines::words::decoder, out)
+    })?;
+    Ok(wave)
+}
+
+/// Rays towards vertices that are spread over the mesh.
+fn camera_rays(scene: &Scene, count: u32) -> Vec<Ray> {
+    let positions = &scene.mesh.positions;
+    let eye = scene.camera.eye;
+    let towards = |i: u32| {
+        let target = positions[(i as usize * positions.len()) / count as usize];
+        Ray::new(eye, std::array::from_fn(|axis| target[axis] - eye[axis]))
+    };
+    (0..count).map(towards).collect()
+}
