@@ -21,7 +21,6 @@
 //! # Ok::<(), estimate::EstimateError>(())
 //! ```
 
-mod alternatives;
 mod breakdown;
 mod implementation;
 mod paper;
@@ -29,7 +28,6 @@ mod published;
 mod scaling;
 mod workload;
 
-pub use alternatives::{Alternative, alternatives};
 pub use breakdown::Breakdown;
 pub use implementation::{EnergyReport, Implementation, ModuleRow};
 pub use paper::PaperFigures;

@@ -9,8 +9,8 @@ use crate::input::SceneSource;
 use crate::progress::{Part, Progress};
 use anyhow::{Context, ensure};
 use estimate::{
-    Alternative, Breakdown, EnergyReport, EstimateError, Implementation, Method, ModuleRow, NodeType,
-    PaperFigures, Scaling, Workload, alternatives, cost,
+    Breakdown, EnergyReport, EstimateError, Implementation, Method, ModuleRow, NodeType,
+    PaperFigures, Scaling, Workload, cost,
 };
 use gates::liberty::{embedded, load};
 use gates::words::Structures;
@@ -53,7 +53,6 @@ pub struct Estimates {
     pub lean_pipelines: Vec<PipelineRow>,
     pub ratios: Vec<RatioRow>,
     pub scenes: Vec<SceneRow>,
-    pub alternatives: Vec<Alternative>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub synthesis: Vec<SynthesisRow>,
 }
@@ -202,7 +201,6 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
         }
         part.advance(1);
     }
-    let alternatives = alternatives(&implementations[0], &library, workload)?;
     drop(part);
     let synthesis = if args.synthesis {
         let [liberty] = args.liberty.as_slice() else { unreachable!("one file, as checked") };
@@ -226,7 +224,6 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
         scenes,
         pipelines: rows,
         lean_pipelines,
-        alternatives,
         synthesis,
     };
     let sections = report::sections(&estimates);

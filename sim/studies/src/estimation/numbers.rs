@@ -60,19 +60,6 @@ pub fn csv(document: &Estimates) -> anyhow::Result<Vec<u8>> {
         row("energy in scene", found.energy.zero_delay.total())?;
         row("energy with glitches in scene", found.energy.with_glitches.total())?;
     }
-    for found in &document.alternatives {
-        let part = format!("{}: {}", found.question, found.answer);
-        let (value, source) = (found.gate_equivalents.to_string(), &provenance["alternatives"]);
-        writer.write_record([
-            "dual_split",
-            "netlist",
-            "alternative",
-            &part,
-            &value,
-            "gate equivalents",
-            source,
-        ])?;
-    }
     for found in &document.synthesis {
         let (value, source) =
             (found.logic_area_um2.to_string(), format!("{}, {}", provenance["synthesis"], found.flow));
@@ -104,7 +91,6 @@ pub fn provenance(library: &Library) -> BTreeMap<&'static str, String> {
         ("node_types", format!("{energy}; operations of one type back to back, in the order of the rays")),
         ("scenes", format!("{energy}; operations as the scene's rays meet them")),
         ("ratios", "quotients of the rows above".to_owned()),
-        ("alternatives", format!("each mapped to {}; energy as above", library.source)),
         ("synthesis", "the exported Verilog".to_owned()),
     ])
 }

@@ -73,7 +73,6 @@ pub fn sections(document: &Estimates) -> Vec<Section> {
     for pipeline in &document.pipelines {
         sections.push(modules(document, pipeline));
     }
-    sections.push(alternatives(document));
     if !document.synthesis.is_empty() {
         sections.push(synthesis(document));
     }
@@ -286,21 +285,6 @@ fn modules(document: &Estimates, pipeline: &PipelineRow) -> Section {
     let header = ["module", "instances", "cells", "um2", "flip-flops", "um2 of those", "levels", "latest ns"];
     let note = sentence(&document.provenance["modules"]);
     section(format!("Modules of {}", pipeline.name), header, rows.collect(), vec![note])
-}
-
-fn alternatives(document: &Estimates) -> Section {
-    let rows = document.alternatives.iter().map(|row| {
-        [
-            row.question.to_owned(),
-            row.answer.clone(),
-            if row.built { "yes" } else { "" }.to_owned(),
-            fixed(row.gate_equivalents, 1),
-            row.energy_fj.map_or_else(String::new, |energy| fixed(energy, 1)),
-        ]
-    });
-    let header = ["question", "alternative", "built", "gate equivalents", "fJ"];
-    let note = sentence(&document.provenance["alternatives"]);
-    section("Glue of the dual-split pipeline: alternatives", header, rows.collect(), vec![note])
 }
 
 fn synthesis(document: &Estimates) -> Section {
