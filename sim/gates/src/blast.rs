@@ -4,7 +4,7 @@ use netlist::module::MULTIPLIER_KINDS;
 use netlist::{BinaryOp, Design, Flat, FlatNode, NodeId, Op, ScopeId, UnaryOp};
 
 use super::aig::{Aig, Lit, Origin};
-use super::multiply::product;
+use super::multiply;
 use super::words::{self, Adder, Selection, Structures};
 
 /// What the multiplier arrays of a design become.
@@ -254,7 +254,7 @@ impl<'n> Blaster<'n> {
         let Blasted { aig, words, .. } = &mut self.blasted;
         if !product.is_cut {
             let [a, b] = product.operands.map(|operand| words[operand.index()].as_slice());
-            return product(aig, self.options.structures, a, b, width as usize);
+            return multiply::product(aig, self.options.structures, a, b, width as usize);
         }
         cuts.push(product);
         let path = &self.flat.scopes[product.scope as usize].path;
@@ -349,7 +349,7 @@ fn binary(
         BinaryOp::Xor => words::zip(aig, a, b, Aig::xor),
         BinaryOp::Add => sum(aig, adder, a, b),
         BinaryOp::Sub => words::subtract(aig, adder, a, b),
-        BinaryOp::Mul => product(aig, structures, a, b, width),
+        BinaryOp::Mul => multiply::product(aig, structures, a, b, width),
         BinaryOp::Eq => vec![words::equal(aig, a, b)],
         BinaryOp::Ne => vec![!words::equal(aig, a, b)],
         BinaryOp::Lt => vec![words::less(aig, a, b)],

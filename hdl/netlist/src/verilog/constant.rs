@@ -1,5 +1,7 @@
 //! Constants as Verilog writes them.
 
+/// A sized constant.
+#[must_use]
 pub fn constant(value: u128, width: u32) -> String {
     match (width, value) {
         (1, _) => format!("1'b{value}"),

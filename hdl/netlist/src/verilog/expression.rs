@@ -4,8 +4,6 @@ use super::constant::constant;
 use super::emit::Emitter;
 use crate::{BinaryOp, NodeId, Op, UnaryOp, mask};
 
-/// A sized constant.
-#[must_use]
 impl Emitter<'_> {
     /// A node where it is used.
     pub(super) fn operand(&mut self, id: NodeId) -> String {

@@ -1,13 +1,12 @@
 //! From liberty's groups to cells.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::attributes::{Context, arc, capacitance, is_input, is_output, leakage, number};
 use super::function::{self, MAX_INPUTS, depends_on};
 use super::sequential;
 use super::syntax::{Group, parse};
-use super::{Cell, LibertyError, Library, Table};
+use super::{Arc, Cell, LibertyError, Library};
 
 /// Reads the texts of files that make up one library.
 ///
