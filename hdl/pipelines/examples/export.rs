@@ -1,5 +1,5 @@
 //! Writes one top as Verilog with testbench, vectors and scripts:
-//! `cargo run -p hdl --example export -- fp_add out 10000`.
+//! `cargo run -p dualsplit-pipelines --example export -- fp_add out 10000`.
 
 use std::error::Error;
 use std::path::Path;

@@ -1,5 +1,5 @@
 //! Sends one ray through the dual-split pipeline, node by node, and prints what every stage holds:
-//! `cargo run -p hdl --example trace_ray`.
+//! `cargo run -p dualsplit-pipelines --example trace_ray`.
 
 use equivalence::Ports;
 use equivalence::cases::visited_nodes;
