@@ -5,7 +5,6 @@
 // verilator lint_off DECLFILENAME
 
 // fp_unpack e8m23
-//   constant flush = 1'b0
 //   constant sign_index = 8'h1f
 //   constant fraction_bits = 8'h17
 //   constant fraction_mask = 24'h7fffff
@@ -90,12 +89,10 @@ module sticky_shift_v1 (
 endmodule
 
 // rounder e8m23
-//   constant flush = 1'b0
 //   constant leading_index = 8'h19
 //   constant fraction_mask = 26'h7fffff
 //   constant fraction_bits = 8'h17
 //   constant special_exponent = 10'hff
-//   constant min_normal = 32'h800000
 //   constant max_finite = 32'h7f7fffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
@@ -150,7 +147,6 @@ endmodule
 //   constant limit_5 = 28'h1000000
 //   constant limit_6 = 28'h4000000
 //   constant limit_7 = 28'h8000000
-//   constant subnormals = 1'b0
 //   tied input rounding_i = 3'd0
 module fp_add (
     input  wire        clk_i,
@@ -398,7 +394,6 @@ module sticky_shift_v2 (
 endmodule
 
 // fp_mul e8m23_t1
-//   constant flush = 1'b0
 //   constant bias = 10'h7e
 //   constant sign_index = 8'd9
 //   constant top_index = 8'h2f

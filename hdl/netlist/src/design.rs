@@ -16,7 +16,7 @@ pub enum SignalType {
 /// A port of a module.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Port {
-    /// Name in the source, array positions and interface fields `$`-joined.
+    /// Name in the source, array positions `$`-joined; the field of an interface whose name ends in `_i` or `_o` has its own.
     pub name: String,
     /// Width in bits.
     pub width: u32,

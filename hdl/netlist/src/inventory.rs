@@ -149,6 +149,12 @@ fn common_latency(outputs: &BTreeMap<String, (u32, u32)>) -> Option<u32> {
     outputs.values().all(|&(least, most)| least == first && most == first).then_some(first)
 }
 
+/// Registers on every path from an input to an output, if they are equally many.
+#[must_use]
+pub fn latency_cycles(flat: &Flat) -> Option<u32> {
+    common_latency(&latencies(flat)?)
+}
+
 /// Fewest and most registers between inputs and each output; outputs that depend on no input are left out.
 /// `None` when a register depends on itself.
 fn latencies(flat: &Flat) -> Option<BTreeMap<String, (u32, u32)>> {

@@ -89,7 +89,7 @@ pub use graph::{
     BinaryOp, Graph, MAX_WIDTH, Node, NodeId, Op, UnaryOp, apply, as_signed, mask, operand_width,
 };
 pub use guard::{Disagreement, GuardError, GuardReport, guard};
-pub use inventory::{Inventory, ModuleInventory, OperationCount, inventory, register_depths};
+pub use inventory::{Inventory, ModuleInventory, OperationCount, inventory, latency_cycles, register_depths};
 pub use keywords::is_keyword;
 pub use mutate::{Change, Mutation, MutationError, mutate, mutations};
 

@@ -135,10 +135,10 @@ impl Signals {
         let width = checked_width(atom)?;
         check_name(&atom.name)?;
         self.add_labels(atom, width);
-        let port = Port { name: atom.name.clone(), width, signal_type: atom.signal_type.clone() };
+        let port = Port { name: self.port_name(&atom.name), width, signal_type: atom.signal_type.clone() };
         let role = match atom.kind {
             AtomKind::InputParameter if atom.is_clock => {
-                if self.clock.replace(atom.name.clone()).is_some() {
+                if self.clock.replace(self.port_name(&atom.name)).is_some() {
                     return Err(ErrorKind::Clock(atom.name.clone()));
                 }
                 Role::Clock
@@ -163,6 +163,13 @@ impl Signals {
         };
         self.add(&atom.name, atom, width, role);
         Ok(())
+    }
+
+    /// The name of the port that the signal `name` is: that of [`field_name`], or the whole name if another port has it.
+    fn port_name(&self, name: &str) -> String {
+        let short = field_name(name);
+        let mut ports = self.inputs.iter().chain(&self.outputs);
+        if ports.any(|port| port.name == short) { name.to_owned() } else { short }
     }
 
     fn add_register(&mut self, child: &Scope) -> Result<(), ErrorKind> {
@@ -243,6 +250,19 @@ impl Signals {
     }
 }
 
+/// The name of an interface's field without that of the interface, if it is a port's by its ending: `bounds$1$min_x_i` is
+/// `min_x_i$1`. Every other name stays.
+pub fn field_name(name: &str) -> String {
+    let is_position = |part: &&str| part.starts_with(|c: char| c.is_ascii_digit());
+    let (positions, mut names): (Vec<&str>, Vec<&str>) = name.split('$').partition(is_position);
+    match names.pop() {
+        Some(field) if field.ends_with("_i") || field.ends_with("_o") => {
+            std::iter::once(field).chain(positions).collect::<Vec<_>>().join("$")
+        }
+        _ => name.to_owned(),
+    }
+}
+
 fn checked_width(atom: &AtomDecl) -> Result<u32, ErrorKind> {
     match u32::try_from(atom.width) {
         Ok(width) if (1..=MAX_WIDTH).contains(&width) => Ok(width),
@@ -269,4 +289,24 @@ fn power_up_value(code: &Verilog, output: &str) -> Result<u128, ErrorKind> {
     let Some((_, rest)) = text.split_once("initial") else { return Ok(0) };
     let assigned = rest.split_once(&format!("{output} =")).and_then(|(_, value)| value.split_once(';'));
     assigned.map_or(Ok(0), |(literal, _)| Ok(parse_literal(literal.trim())?.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fields_that_are_ports_by_their_ending_have_their_own_names() {
+        for (signal, port) in [
+            ("a_i", "a_i"),
+            ("hit_o$3", "hit_o$3"),
+            ("clocking$clk_i", "clk_i"),
+            ("ray$origin$origin_x_i", "origin_x_i"),
+            ("bounds$1$box_min_x_i", "box_min_x_i$1"),
+            ("bus$data", "bus$data"),
+            ("bus$2$data", "bus$2$data"),
+        ] {
+            assert_eq!(field_name(signal), port);
+        }
+    }
 }

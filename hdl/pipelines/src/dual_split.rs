@@ -27,11 +27,12 @@
 
 use super::dual_split_fold::DualSplitFold;
 use super::dual_split_select::DualSplitSelect;
+use super::ports::{Node, Ray, Step};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::Delay;
+use units::blocks::{ClockEnable, Delay};
 use units::widths::format;
-use units::{FpAdd, FpMul};
+use units::{fp_add, fp_mul};
 
 /// One traversal step of a dual-split tree.
 ///
@@ -50,6 +51,43 @@ use units::{FpAdd, FpMul};
 /// ```
 /// Latency 8, one node per cycle. `header_i`, `plane_0_i` and `plane_1_i` are a node's three words. The outputs other
 /// than `valid_o` and `tag_o` come through one 2:1 multiplexer behind the last registers.
+///
+/// ```text
+/// cycle      0   1   2       8   9   10
+/// clk_i      ~\_/~\_/~\_ ... ~\_/~\_/~\_/
+/// en_i       ~~~~~~~~~~~ ... ~~~~~~~~~~~~
+/// valid_i    ~~~~~~~~\__ ... ____________
+/// node, ray  X A X B X-- ... ------------
+/// valid_o    ___________ ... /~~~~~~~\___
+/// step       ----------- ... X A X B X---
+/// ```
+///
+/// A ray along x from the origin and a node that splits x at 1 (left child, 6 words ahead) and at 2 (right child, one word
+/// behind it):
+///
+/// ```
+/// use units::clocking::Clocked;
+///
+/// let word = |number: f32| u64::from(number.to_bits()).into();
+/// let mut unit = pipelines::formats::binary32::DualSplitPipeline::default();
+/// unit.clocking.en_i.next = true;
+/// unit.valid_i.next = true;
+/// unit.node.header_i.next = (1u64 << 27 | 6).into();
+/// (unit.node.plane_0_i.next, unit.node.plane_1_i.next) = (word(1.0), word(2.0));
+/// let inv = &mut unit.ray.reciprocals;
+/// (inv.inv_entry_x_i.next, inv.inv_exit_x_i.next) = (word(1.0), word(1.0));
+/// unit.ray.interval.t_max_i.next = word(10.0);
+///
+/// let latency_cycles = (1..20).find(|_| {
+///     unit.tick();
+///     unit.valid_o.val()
+/// });
+/// let step = &unit.step;
+/// assert_eq!((latency_cycles, step.code_o.val().to_u8()), (Some(8), 2));
+/// assert_eq!((step.near_offset_o.val().to_u32(), step.far_offset_o.val().to_u32()), (6, 7));
+/// let bounds = [&step.near_t_min_o, &step.near_t_max_o, &step.far_t_min_o, &step.far_t_max_o];
+/// assert_eq!(bounds.map(|bound| f32::from_bits(bound.val().to_u32())), [0.0, 1.0, 2.0, 10.0]);
+/// ```
 #[derive(LogicBlock, Default, Clone, Debug)]
 pub struct DualSplitPipeline<
     const E: usize,
@@ -62,64 +100,26 @@ pub struct DualSplitPipeline<
     const C: usize,
     const T: usize,
 > {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Node and ray are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this step.
     pub tag_i: Signal<In, Bits<T>>,
-    /// The node's first word.
-    pub header_i: Signal<In, Bits<32>>,
-    /// The node's second word: plane 0.
-    pub plane_0_i: Signal<In, Bits<W>>,
-    /// The node's third word: plane 1.
-    pub plane_1_i: Signal<In, Bits<W>>,
-    /// Ray origin, x.
-    pub origin_x_i: Signal<In, Bits<W>>,
-    /// Ray origin, y.
-    pub origin_y_i: Signal<In, Bits<W>>,
-    /// Ray origin, z.
-    pub origin_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, x.
-    pub inv_entry_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, y.
-    pub inv_entry_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, z.
-    pub inv_entry_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, x.
-    pub inv_exit_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, y.
-    pub inv_exit_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, z.
-    pub inv_exit_z_i: Signal<In, Bits<W>>,
-    /// Start of the interval inside the node.
-    pub t_min_i: Signal<In, Bits<W>>,
-    /// End of the interval inside the node.
-    pub t_max_i: Signal<In, Bits<W>>,
+    /// Node.
+    pub node: Node<W>,
+    /// Ray.
+    pub ray: Ray<W>,
     /// Result is valid.
     pub valid_o: Signal<Out, Bit>,
     /// Tag of the result.
     pub tag_o: Signal<Out, Bits<T>>,
-    /// Return value.
-    pub code_o: Signal<Out, Bits<2>>,
-    /// Near slot: offset in words, or first triangle.
-    pub near_offset_o: Signal<Out, Bits<32>>,
-    /// Near slot: start of the interval.
-    pub near_t_min_o: Signal<Out, Bits<W>>,
-    /// Near slot: end of the interval.
-    pub near_t_max_o: Signal<Out, Bits<W>>,
-    /// Far slot: offset in words.
-    pub far_offset_o: Signal<Out, Bits<32>>,
-    /// Far slot: start of the interval.
-    pub far_t_min_o: Signal<Out, Bits<W>>,
-    /// Far slot: end of the interval.
-    pub far_t_max_o: Signal<Out, Bits<W>>,
+    /// What the step returns.
+    pub step: Step<W>,
 
     select: DualSplitSelect<E, S, W, C>,
-    subtract: [FpAdd<E, S, W, X, R, N, 1>; 2],
-    multiply: [FpMul<E, S, W, X, R, P, 1>; 2],
+    subtract: [fp_add!(); 2],
+    multiply: [fp_mul!(); 2],
     fold: DualSplitFold<E, S, W>,
     tag: Delay<T, 8>,
 }
@@ -139,36 +139,21 @@ impl<
     #[hdl_gen]
     fn update(&mut self) {
         // Cycle 1: decode and select.
-        self.select.clk_i.next = self.clk_i.val();
-        self.select.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.select.clocking);
         self.select.valid_i.next = self.valid_i.val();
-        self.select.header_i.next = self.header_i.val();
-        self.select.plane_0_i.next = self.plane_0_i.val();
-        self.select.plane_1_i.next = self.plane_1_i.val();
-        self.select.origin_x_i.next = self.origin_x_i.val();
-        self.select.origin_y_i.next = self.origin_y_i.val();
-        self.select.origin_z_i.next = self.origin_z_i.val();
-        self.select.inv_entry_x_i.next = self.inv_entry_x_i.val();
-        self.select.inv_entry_y_i.next = self.inv_entry_y_i.val();
-        self.select.inv_entry_z_i.next = self.inv_entry_z_i.val();
-        self.select.inv_exit_x_i.next = self.inv_exit_x_i.val();
-        self.select.inv_exit_y_i.next = self.inv_exit_y_i.val();
-        self.select.inv_exit_z_i.next = self.inv_exit_z_i.val();
-        self.select.t_min_i.next = self.t_min_i.val();
-        self.select.t_max_i.next = self.t_max_i.val();
+        Node::<W>::link(&mut self.node, &mut self.select.node);
+        Ray::<W>::link(&mut self.ray, &mut self.select.ray);
 
         // Cycles 2 to 5: distances.
         for i in 0..2 {
-            self.subtract[i].clk_i.next = self.clk_i.val();
-            self.subtract[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.subtract[i].clocking);
             self.subtract[i].valid_i.next = self.select.valid_o.val();
             self.subtract[i].tag_i.next = 0.into();
             self.subtract[i].a_i.next = self.select.plane_o[i].val();
             self.subtract[i].b_i.next = self.select.origin_o[i].val();
             self.subtract[i].subtract_i.next = true;
             self.subtract[i].rounding_i.next = 0.into();
-            self.multiply[i].clk_i.next = self.clk_i.val();
-            self.multiply[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.multiply[i].clocking);
             self.multiply[i].valid_i.next = self.subtract[i].valid_o.val();
             self.multiply[i].tag_i.next = 0.into();
             self.multiply[i].a_i.next = self.subtract[i].result_o.val();
@@ -177,8 +162,7 @@ impl<
         }
 
         // Cycles 6 to 8: fold, compare, return.
-        self.fold.clk_i.next = self.clk_i.val();
-        self.fold.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.fold.clocking);
         self.fold.valid_i.next = self.multiply[0].valid_o.val();
         self.fold.t_0_i.next = self.multiply[0].result_o.val();
         self.fold.t_1_i.next = self.multiply[1].result_o.val();
@@ -187,18 +171,11 @@ impl<
         self.fold.header_i.next = self.select.header_o.val();
         self.fold.t_min_i.next = self.select.t_min_o.val();
         self.fold.t_max_i.next = self.select.t_max_o.val();
-        self.tag.clk_i.next = self.clk_i.val();
-        self.tag.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.tag.clocking);
         self.tag.d_i.next = self.tag_i.val();
         self.valid_o.next = self.fold.valid_o.val();
         self.tag_o.next = self.tag.q_o.val();
-        self.code_o.next = self.fold.code_o.val();
-        self.near_offset_o.next = self.fold.near_offset_o.val();
-        self.near_t_min_o.next = self.fold.near_t_min_o.val();
-        self.near_t_max_o.next = self.fold.near_t_max_o.val();
-        self.far_offset_o.next = self.fold.far_offset_o.val();
-        self.far_t_min_o.next = self.fold.far_t_min_o.val();
-        self.far_t_max_o.next = self.fold.far_t_max_o.val();
+        Step::<W>::link(&mut self.step, &mut self.fold.step);
     }
 
     fn timing(&self) -> Vec<TimingInfo> {

@@ -21,11 +21,12 @@
 //! A slot without entry, and the far slot of every code but 2, holds some value that means nothing.
 
 use super::node_header::NodeHeader;
+use super::ports::Step;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::{Delay, Dff, dff_setup};
+use units::blocks::{ClockEnable, Delay, Dff, dff_setup};
 use units::widths::format;
-use units::{FpCmp, FpMinMax, IntAdd};
+use units::{IntAdd, fp_cmp, fp_min_max};
 
 /// Fold, comparison, offset and return-value logic.
 ///
@@ -43,8 +44,7 @@ use units::{FpCmp, FpMinMax, IntAdd};
 /// Latency 3.
 #[derive(LogicBlock, Default, Clone, Debug)]
 pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> {
-    pub clk_i: Signal<In, Clock>,
-    pub en_i: Signal<In, Bit>,
+    pub clocking: ClockEnable,
     pub valid_i: Signal<In, Bit>,
     pub t_0_i: Signal<In, Bits<W>>,
     pub t_1_i: Signal<In, Bits<W>>,
@@ -54,18 +54,12 @@ pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> 
     pub t_min_i: Signal<In, Bits<W>>,
     pub t_max_i: Signal<In, Bits<W>>,
     pub valid_o: Signal<Out, Bit>,
-    pub code_o: Signal<Out, Bits<2>>,
-    pub near_offset_o: Signal<Out, Bits<32>>,
-    pub near_t_min_o: Signal<Out, Bits<W>>,
-    pub near_t_max_o: Signal<Out, Bits<W>>,
-    pub far_offset_o: Signal<Out, Bits<32>>,
-    pub far_t_min_o: Signal<Out, Bits<W>>,
-    pub far_t_max_o: Signal<Out, Bits<W>>,
+    pub step: Step<W>,
 
     // Cycle 6.
     route_exit: Signal<Local, Bits<W>>,
     route_entry: Signal<Local, Bits<W>>,
-    combine: FpMinMax<E, S, W, 1>,
+    combine: fp_min_max!(),
     exit_t: Dff<Bits<W>>,
     entry_t: Dff<Bits<W>>,
     two_exits: Dff<Bit>,
@@ -77,8 +71,8 @@ pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> 
     latest_entry: Signal<Local, Bits<W>>,
     earliest_exit: Signal<Local, Bits<W>>,
     runs_down: Signal<Local, Bits<1>>,
-    fold_entry: FpMinMax<E, S, W, 1>,
-    fold_exit: FpMinMax<E, S, W, 1>,
+    fold_entry: fp_min_max!(),
+    fold_exit: fp_min_max!(),
     header_wait: Delay<32, 2>,
     downward: Delay<1, 3>,
     t_min_7: Dff<Bits<W>>,
@@ -86,8 +80,8 @@ pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> 
 
     // Cycle 8.
     near_start: Signal<Local, Bits<W>>,
-    accept_near: FpCmp<E, S, W, 1>,
-    accept_far: FpCmp<E, S, W, 1>,
+    accept_near: fp_cmp!(),
+    accept_far: fp_cmp!(),
     second_offset: IntAdd<32, 1>,
     fields: NodeHeader,
     first_offset: Dff<Bits<32>>,
@@ -113,8 +107,19 @@ pub(super) struct DualSplitFold<const E: usize, const S: usize, const W: usize> 
 impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, S, W> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clk_i, exit_t, entry_t, two_exits, two_entries, t_min_6, t_max_6, t_min_7, t_max_7);
-        dff_setup!(self, clk_i, first_offset, carve, leaf, lower, upper, t_min_8, t_max_8);
+        dff_setup!(
+            self,
+            clocking.clk_i,
+            exit_t,
+            entry_t,
+            two_exits,
+            two_entries,
+            t_min_6,
+            t_max_6,
+            t_min_7,
+            t_max_7
+        );
+        dff_setup!(self, clocking.clk_i, first_offset, carve, leaf, lower, upper, t_min_8, t_max_8);
 
         // Cycle 6: a bound that no plane moves is folded with itself.
         self.route_exit.next = self.t_1_i.val();
@@ -128,8 +133,7 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         } else if !self.exit_1_i.val() {
             self.route_exit.next = self.t_max_i.val();
         }
-        self.combine.clk_i.next = self.clk_i.val();
-        self.combine.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.combine.clocking);
         self.combine.valid_i.next = self.valid_i.val();
         self.combine.tag_i.next = 0.into();
         self.combine.a_i.next = self.t_0_i.val();
@@ -138,8 +142,7 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.combine.propagate_nan_i.next = false;
 
         // Cycle 7: fold.
-        self.fold_entry.clk_i.next = self.clk_i.val();
-        self.fold_entry.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.fold_entry.clocking);
         self.fold_entry.valid_i.next = self.combine.valid_o.val();
         self.fold_entry.tag_i.next = 0.into();
         self.fold_entry.a_i.next = self.t_min_6.q.val();
@@ -150,8 +153,7 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.fold_entry.b_i.next = self.latest_entry.val();
         self.fold_entry.maximum_i.next = true;
         self.fold_entry.propagate_nan_i.next = false;
-        self.fold_exit.clk_i.next = self.clk_i.val();
-        self.fold_exit.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.fold_exit.clocking);
         self.fold_exit.valid_i.next = self.combine.valid_o.val();
         self.fold_exit.tag_i.next = 0.into();
         self.fold_exit.a_i.next = self.t_max_6.q.val();
@@ -162,12 +164,10 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.fold_exit.b_i.next = self.earliest_exit.val();
         self.fold_exit.maximum_i.next = false;
         self.fold_exit.propagate_nan_i.next = false;
-        self.header_wait.clk_i.next = self.clk_i.val();
-        self.header_wait.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.header_wait.clocking);
         self.header_wait.d_i.next = self.header_i.val();
         self.fields.header_i.next = self.header_wait.q_o.val();
-        self.downward.clk_i.next = self.clk_i.val();
-        self.downward.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.downward.clocking);
         self.runs_down.next = 0.into();
         if !self.exit_0_i.val() {
             self.runs_down.next = 1.into();
@@ -175,8 +175,7 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         self.downward.d_i.next = self.runs_down.val();
 
         // Cycle 8: compare, and add the size of the left child to its offset.
-        self.accept_near.clk_i.next = self.clk_i.val();
-        self.accept_near.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.accept_near.clocking);
         self.accept_near.valid_i.next = self.fold_entry.valid_o.val();
         self.accept_near.tag_i.next = 0.into();
         self.near_start.next = self.t_min_7.q.val();
@@ -185,20 +184,18 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         }
         self.accept_near.a_i.next = self.near_start.val();
         self.accept_near.b_i.next = self.fold_exit.result_o.val();
-        self.accept_far.clk_i.next = self.clk_i.val();
-        self.accept_far.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.accept_far.clocking);
         self.accept_far.valid_i.next = self.fold_exit.valid_o.val();
         self.accept_far.tag_i.next = 0.into();
         self.accept_far.a_i.next = self.fold_entry.result_o.val();
         self.accept_far.b_i.next = self.t_max_7.q.val();
-        self.second_offset.clk_i.next = self.clk_i.val();
-        self.second_offset.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.second_offset.clocking);
         self.second_offset.valid_i.next = self.fold_entry.valid_o.val();
         self.second_offset.tag_i.next = 0.into();
         self.second_offset.a_i.next = self.fields.offset_o.val();
         self.second_offset.b_i.next = bit_cast::<32, 2>(self.fields.size_o.val());
 
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.exit_t.d.next = self.route_exit.val();
             self.entry_t.d.next = self.route_entry.val();
             self.two_exits.d.next = self.exit_0_i.val() & self.exit_1_i.val();
@@ -253,13 +250,13 @@ impl<const E: usize, const S: usize, const W: usize> Logic for DualSplitFold<E, 
         if self.negative.val() {
             self.far_offset.next = self.first_offset.q.val();
         }
-        self.code_o.next = self.code.val();
-        self.near_offset_o.next = self.near_offset.val();
-        self.near_t_min_o.next = self.near_t_min.val();
-        self.near_t_max_o.next = self.near_t_max.val();
-        self.far_offset_o.next = self.far_offset.val();
-        self.far_t_min_o.next = self.lower.q.val();
-        self.far_t_max_o.next = self.t_max_8.q.val();
+        self.step.code_o.next = self.code.val();
+        self.step.near_offset_o.next = self.near_offset.val();
+        self.step.near_t_min_o.next = self.near_t_min.val();
+        self.step.near_t_max_o.next = self.near_t_max.val();
+        self.step.far_offset_o.next = self.far_offset.val();
+        self.step.far_t_min_o.next = self.lower.q.val();
+        self.step.far_t_max_o.next = self.t_max_8.q.val();
         self.valid_o.next = self.accept_near.valid_o.val();
     }
 

@@ -18,12 +18,13 @@
 //! suffices, `C = 0` drops both comparators with equal results.
 
 use super::node_header::NodeHeader;
+use super::ports::{Node, Origin, Ray, Reciprocals};
 use super::ray_select::RaySelect;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::FpCmp;
-use units::blocks::{Delay, Dff, dff_setup, module};
+use units::blocks::{ClockEnable, Delay, Dff, dff_setup, module};
 use units::widths::{check_widths, format};
+use units::{FpCmp, fp_cmp};
 
 /// Node decoding, ray-component and plane selection, and the operands' waiting lines.
 ///
@@ -40,23 +41,10 @@ use units::widths::{check_widths, format};
 /// ```
 #[derive(LogicBlock, Clone, Debug)]
 pub(super) struct DualSplitSelect<const E: usize, const S: usize, const W: usize, const C: usize> {
-    pub clk_i: Signal<In, Clock>,
-    pub en_i: Signal<In, Bit>,
+    pub clocking: ClockEnable,
     pub valid_i: Signal<In, Bit>,
-    pub header_i: Signal<In, Bits<32>>,
-    pub plane_0_i: Signal<In, Bits<W>>,
-    pub plane_1_i: Signal<In, Bits<W>>,
-    pub origin_x_i: Signal<In, Bits<W>>,
-    pub origin_y_i: Signal<In, Bits<W>>,
-    pub origin_z_i: Signal<In, Bits<W>>,
-    pub inv_entry_x_i: Signal<In, Bits<W>>,
-    pub inv_entry_y_i: Signal<In, Bits<W>>,
-    pub inv_entry_z_i: Signal<In, Bits<W>>,
-    pub inv_exit_x_i: Signal<In, Bits<W>>,
-    pub inv_exit_y_i: Signal<In, Bits<W>>,
-    pub inv_exit_z_i: Signal<In, Bits<W>>,
-    pub t_min_i: Signal<In, Bits<W>>,
-    pub t_max_i: Signal<In, Bits<W>>,
+    pub node: Node<W>,
+    pub ray: Ray<W>,
     pub valid_o: Signal<Out, Bit>,
     pub plane_o: [Signal<Out, Bits<W>>; 2],
     pub origin_o: [Signal<Out, Bits<W>>; 2],
@@ -73,7 +61,7 @@ pub(super) struct DualSplitSelect<const E: usize, const S: usize, const W: usize
     axis: [Signal<Local, Bits<2>>; 2],
     min_side: [Signal<Local, Bit>; 2],
     select: [RaySelect<W>; 2],
-    role: [FpCmp<E, S, W, 1>; C],
+    role: [fp_cmp!(); C],
     valid: Dff<Bit>,
     plane_0: Dff<Bits<W>>,
     plane_1: Dff<Bits<W>>,
@@ -93,13 +81,12 @@ pub(super) struct DualSplitSelect<const E: usize, const S: usize, const W: usize
 
 impl<const E: usize, const S: usize, const W: usize, const C: usize> Default for DualSplitSelect<E, S, W, C> {
     fn default() -> Self {
-        check_widths!(W == E + S);
+        check_widths!(W);
         const { assert!(C == 0 || C == 2, "either both roles are compared or none") };
         module! {
             single_code = Constant::new(u64::from(golden::dst::header::SINGLE).into()),
             role = std::array::from_fn(|_| FpCmp::default());
-            clk_i, en_i, valid_i, header_i, plane_0_i, plane_1_i, origin_x_i, origin_y_i, origin_z_i,
-            inv_entry_x_i, inv_entry_y_i, inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i, t_min_i, t_max_i,
+            clocking, valid_i, node, ray,
             valid_o, plane_o, origin_o, inv_o, t_min_o, t_max_o, header_o, exit_o,
             fields, dual, axis, min_side, select, valid, plane_0, plane_1, origin, negative, side,
             runs_down, leaving, inv_wait, exit_wait, header_wait, t_min_wait, t_max_wait,
@@ -110,10 +97,10 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Default for
 impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for DualSplitSelect<E, S, W, C> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clk_i, valid, plane_0, plane_1);
+        dff_setup!(self, clocking.clk_i, valid, plane_0, plane_1);
 
         // Cycle 1: decode.
-        self.fields.header_i.next = self.header_i.val();
+        self.fields.header_i.next = self.node.header_i.val();
         self.dual.next = self.fields.carve_o.val() & (self.fields.kind_o.val() != self.single_code.val());
         self.axis[0].next = self.fields.kind_o.val();
         self.axis[1].next = self.fields.kind_o.val();
@@ -134,10 +121,10 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for D
         }
 
         // Select and register.
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.valid.d.next = self.valid_i.val();
-            self.plane_0.d.next = self.plane_0_i.val();
-            self.plane_1.d.next = self.plane_1_i.val();
+            self.plane_0.d.next = self.node.plane_0_i.val();
+            self.plane_1.d.next = self.node.plane_1_i.val();
         }
         self.valid_o.next = self.valid.q.val();
         self.plane_o[0].next = self.plane_0.q.val();
@@ -145,22 +132,15 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for D
         for i in 0..2 {
             self.select[i].axis_i.next = self.axis[i].val();
             self.select[i].min_side_i.next = self.min_side[i].val();
-            self.select[i].origin_x_i.next = self.origin_x_i.val();
-            self.select[i].origin_y_i.next = self.origin_y_i.val();
-            self.select[i].origin_z_i.next = self.origin_z_i.val();
-            self.select[i].inv_entry_x_i.next = self.inv_entry_x_i.val();
-            self.select[i].inv_entry_y_i.next = self.inv_entry_y_i.val();
-            self.select[i].inv_entry_z_i.next = self.inv_entry_z_i.val();
-            self.select[i].inv_exit_x_i.next = self.inv_exit_x_i.val();
-            self.select[i].inv_exit_y_i.next = self.inv_exit_y_i.val();
-            self.select[i].inv_exit_z_i.next = self.inv_exit_z_i.val();
-            self.origin[i].clock.next = self.clk_i.val();
-            self.negative[i].clock.next = self.clk_i.val();
-            self.side[i].clock.next = self.clk_i.val();
+            Origin::<W>::link(&mut self.ray.origin, &mut self.select[i].ray_origin);
+            Reciprocals::<W>::link(&mut self.ray.reciprocals, &mut self.select[i].reciprocals);
+            self.origin[i].clock.next = self.clocking.clk_i.val();
+            self.negative[i].clock.next = self.clocking.clk_i.val();
+            self.side[i].clock.next = self.clocking.clk_i.val();
             self.origin[i].d.next = self.origin[i].q.val();
             self.negative[i].d.next = self.negative[i].q.val();
             self.side[i].d.next = self.side[i].q.val();
-            if self.en_i.val() {
+            if self.clocking.en_i.val() {
                 self.origin[i].d.next = self.select[i].origin_o.val();
                 self.negative[i].d.next = self.select[i].negative_o.val();
                 self.side[i].d.next = self.min_side[i].val();
@@ -169,8 +149,7 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for D
             self.runs_down[i].next = self.negative[i].q.val();
         }
         for i in 0..C {
-            self.role[i].clk_i.next = self.clk_i.val();
-            self.role[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.role[i].clocking);
             self.role[i].valid_i.next = self.valid_i.val();
             self.role[i].tag_i.next = 0.into();
             self.role[i].a_i.next = self.select[i].inv_entry_o.val();
@@ -180,12 +159,10 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for D
 
         // Operands wait for the stage that needs them.
         for i in 0..2 {
-            self.inv_wait[i].clk_i.next = self.clk_i.val();
-            self.inv_wait[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.inv_wait[i].clocking);
             self.inv_wait[i].d_i.next = self.select[i].inv_o.val();
             self.inv_o[i].next = self.inv_wait[i].q_o.val();
-            self.exit_wait[i].clk_i.next = self.clk_i.val();
-            self.exit_wait[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.exit_wait[i].clocking);
             self.leaving[i].next = 0.into();
             if self.runs_down[i].val() == self.side[i].q.val() {
                 self.leaving[i].next = 1.into();
@@ -193,17 +170,14 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for D
             self.exit_wait[i].d_i.next = self.leaving[i].val();
             self.exit_o[i].next = self.exit_wait[i].q_o.val().any();
         }
-        self.header_wait.clk_i.next = self.clk_i.val();
-        self.header_wait.en_i.next = self.en_i.val();
-        self.header_wait.d_i.next = self.header_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.header_wait.clocking);
+        self.header_wait.d_i.next = self.node.header_i.val();
         self.header_o.next = self.header_wait.q_o.val();
-        self.t_min_wait.clk_i.next = self.clk_i.val();
-        self.t_min_wait.en_i.next = self.en_i.val();
-        self.t_min_wait.d_i.next = self.t_min_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.t_min_wait.clocking);
+        self.t_min_wait.d_i.next = self.ray.interval.t_min_i.val();
         self.t_min_o.next = self.t_min_wait.q_o.val();
-        self.t_max_wait.clk_i.next = self.clk_i.val();
-        self.t_max_wait.en_i.next = self.en_i.val();
-        self.t_max_wait.d_i.next = self.t_max_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.t_max_wait.clocking);
+        self.t_max_wait.d_i.next = self.ray.interval.t_max_i.val();
         self.t_max_o.next = self.t_max_wait.q_o.val();
     }
 

@@ -9,9 +9,7 @@
 #[macro_export]
 macro_rules! dual_split {
     ($e:expr, $s:expr, $c:expr, $t:expr) => {
-        $crate::DualSplitPipeline<
-            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $c }, { $t },
-        >
+        $crate::in_format!([$crate::DualSplitPipeline] [W X R N P] $e, $s, $c, $t)
     };
 }
 
@@ -20,9 +18,7 @@ macro_rules! dual_split {
 #[macro_export]
 macro_rules! ray_box {
     ($e:expr, $s:expr, $c:expr, $t:expr) => {
-        $crate::RayBoxPipeline<
-            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $c }, { $t },
-        >
+        $crate::in_format!([$crate::RayBoxPipeline] [W X R N P] $e, $s, $c, $t)
     };
 }
 
@@ -31,9 +27,7 @@ macro_rules! ray_box {
 #[macro_export]
 macro_rules! ray_box_parallel {
     ($e:expr, $s:expr, $k:expr, $c:expr, $t:expr) => {
-        $crate::RayBoxParallel<
-            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $k }, { $c }, { $t },
-        >
+        $crate::in_format!([$crate::RayBoxParallel] [W X R N P] $e, $s, $k, $c, $t)
     };
 }
 
@@ -41,9 +35,7 @@ macro_rules! ray_box_parallel {
 #[macro_export]
 macro_rules! shared_units {
     ($e:expr, $s:expr, $t:expr) => {
-        $crate::SharedUnits<
-            { $e }, { $s }, { $e + $s }, { $e + 2 }, { $s + 2 }, { $s + 4 }, { 2 * $s }, { $t },
-        >
+        $crate::in_format!([$crate::SharedUnits] [W X R N P] $e, $s, $t)
     };
 }
 
@@ -56,9 +48,9 @@ macro_rules! formats {
             /// Multiplier.
             pub type FpMul = units::fp_mul!($e, $s);
             /// Minimum and maximum.
-            pub type FpMinMax = units::FpMinMax<$e, $s, { $e + $s }, 1>;
+            pub type FpMinMax = units::fp_min_max!($e, $s);
             /// Comparison.
-            pub type FpCmp = units::FpCmp<$e, $s, { $e + $s }, 1>;
+            pub type FpCmp = units::fp_cmp!($e, $s);
             /// Dual-split pipeline with the published inventory.
             pub type DualSplitPipeline = dual_split!($e, $s, 2, 1);
             /// Ray-box pipeline with the published inventory.

@@ -29,6 +29,7 @@ mod dual_split_fold;
 mod dual_split_select;
 pub mod formats;
 mod node_header;
+pub mod ports;
 mod ray_box;
 mod ray_box_fold;
 mod ray_box_parallel;
@@ -41,6 +42,8 @@ pub use dual_split::DualSplitPipeline;
 pub use ray_box::RayBoxPipeline;
 pub use ray_box_parallel::RayBoxParallel;
 pub use shared_units::SharedUnits;
+#[doc(hidden)]
+pub use units::in_format;
 
 units::clocked! {
     DualSplitPipeline<E, S, W, X, R, N, P, C, T>,

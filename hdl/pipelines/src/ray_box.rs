@@ -14,13 +14,14 @@
 //! `C = 2` is the inventory of the ray-box unit that Lin, Vasiou, Yuksel, Kopta, Brunvand, "Hardware-Accelerated Dual-Split
 //! Trees", HPG 2020, compare with; `C = 1` leaves out the redundant comparison.
 
+use super::ports::{Bounds, Interval, Ray, Reciprocals};
 use super::ray_box_fold::RayBoxFold;
 use super::ray_box_select::RayBoxSelect;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::Delay;
+use units::blocks::{ClockEnable, Delay};
 use units::widths::format;
-use units::{FpAdd, FpMul};
+use units::{fp_add, fp_mul};
 
 /// Intersection test of a ray and a box.
 ///
@@ -39,6 +40,42 @@ use units::{FpAdd, FpMul};
 /// ```
 /// Latency 8, one box per cycle. `t_entry_o` is the distance at which the ray enters the box, at least `t_min_i`, and means
 /// nothing without a hit. `hit_o` comes through one gate behind the last registers.
+///
+/// ```text
+/// cycle      0   1   2       8   9   10
+/// clk_i      ~\_/~\_/~\_ ... ~\_/~\_/~\_/
+/// en_i       ~~~~~~~~~~~ ... ~~~~~~~~~~~~
+/// valid_i    ~~~~~~~~\__ ... ____________
+/// box, ray   X A X B X-- ... ------------
+/// valid_o    ___________ ... /~~~~~~~\___
+/// hit_o, ... ----------- ... X A X B X---
+/// ```
+///
+/// A ray along the diagonal, and a box from 1 to 2 on each axis:
+///
+/// ```
+/// use units::clocking::Clocked;
+///
+/// let word = |number: f32| u64::from(number.to_bits()).into();
+/// let mut unit = pipelines::formats::binary32::RayBoxPipeline::default();
+/// unit.clocking.en_i.next = true;
+/// unit.valid_i.next = true;
+/// let (low, high) = (word(1.0), word(2.0));
+/// let to = &mut unit.bounds;
+/// (to.box_min_x_i.next, to.box_min_y_i.next, to.box_min_z_i.next) = (low, low, low);
+/// (to.box_max_x_i.next, to.box_max_y_i.next, to.box_max_z_i.next) = (high, high, high);
+/// let inv = &mut unit.ray.reciprocals;
+/// (inv.inv_entry_x_i.next, inv.inv_entry_y_i.next, inv.inv_entry_z_i.next) = (low, low, low);
+/// (inv.inv_exit_x_i.next, inv.inv_exit_y_i.next, inv.inv_exit_z_i.next) = (low, low, low);
+/// unit.ray.interval.t_max_i.next = word(10.0);
+///
+/// let latency_cycles = (1..20).find(|_| {
+///     unit.tick();
+///     unit.valid_o.val()
+/// });
+/// assert_eq!((latency_cycles, unit.hit_o.val()), (Some(8), true));
+/// assert_eq!(f32::from_bits(unit.t_entry_o.val().to_u32()), 1.0);
+/// ```
 #[derive(LogicBlock, Default, Clone, Debug)]
 pub struct RayBoxPipeline<
     const E: usize,
@@ -51,48 +88,16 @@ pub struct RayBoxPipeline<
     const C: usize,
     const T: usize,
 > {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Box and ray are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this test.
     pub tag_i: Signal<In, Bits<T>>,
-    /// Box, lower x.
-    pub box_min_x_i: Signal<In, Bits<W>>,
-    /// Box, lower y.
-    pub box_min_y_i: Signal<In, Bits<W>>,
-    /// Box, lower z.
-    pub box_min_z_i: Signal<In, Bits<W>>,
-    /// Box, upper x.
-    pub box_max_x_i: Signal<In, Bits<W>>,
-    /// Box, upper y.
-    pub box_max_y_i: Signal<In, Bits<W>>,
-    /// Box, upper z.
-    pub box_max_z_i: Signal<In, Bits<W>>,
-    /// Ray origin, x.
-    pub origin_x_i: Signal<In, Bits<W>>,
-    /// Ray origin, y.
-    pub origin_y_i: Signal<In, Bits<W>>,
-    /// Ray origin, z.
-    pub origin_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, x.
-    pub inv_entry_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, y.
-    pub inv_entry_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, z.
-    pub inv_entry_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, x.
-    pub inv_exit_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, y.
-    pub inv_exit_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, z.
-    pub inv_exit_z_i: Signal<In, Bits<W>>,
-    /// Start of the ray's interval.
-    pub t_min_i: Signal<In, Bits<W>>,
-    /// End of the ray's interval.
-    pub t_max_i: Signal<In, Bits<W>>,
+    /// Box.
+    pub bounds: Bounds<W>,
+    /// Ray.
+    pub ray: Ray<W>,
     /// Result is valid.
     pub valid_o: Signal<Out, Bit>,
     /// Tag of the result.
@@ -105,8 +110,8 @@ pub struct RayBoxPipeline<
     plane: [Signal<Local, Bits<W>>; 6],
     origin: [Signal<Local, Bits<W>>; 6],
     select: RayBoxSelect<W>,
-    subtract: [FpAdd<E, S, W, X, R, N, 1>; 6],
-    multiply: [FpMul<E, S, W, X, R, P, 1>; 6],
+    subtract: [fp_add!(); 6],
+    multiply: [fp_mul!(); 6],
     fold: RayBoxFold<E, S, W, C>,
     tag: Delay<T, 8>,
 }
@@ -125,41 +130,32 @@ impl<
 {
     #[hdl_gen]
     fn update(&mut self) {
-        self.plane[0].next = self.box_min_x_i.val();
-        self.plane[1].next = self.box_min_y_i.val();
-        self.plane[2].next = self.box_min_z_i.val();
-        self.plane[3].next = self.box_max_x_i.val();
-        self.plane[4].next = self.box_max_y_i.val();
-        self.plane[5].next = self.box_max_z_i.val();
-        self.origin[0].next = self.origin_x_i.val();
-        self.origin[1].next = self.origin_y_i.val();
-        self.origin[2].next = self.origin_z_i.val();
-        self.origin[3].next = self.origin_x_i.val();
-        self.origin[4].next = self.origin_y_i.val();
-        self.origin[5].next = self.origin_z_i.val();
-        self.select.clk_i.next = self.clk_i.val();
-        self.select.en_i.next = self.en_i.val();
-        self.select.inv_entry_x_i.next = self.inv_entry_x_i.val();
-        self.select.inv_entry_y_i.next = self.inv_entry_y_i.val();
-        self.select.inv_entry_z_i.next = self.inv_entry_z_i.val();
-        self.select.inv_exit_x_i.next = self.inv_exit_x_i.val();
-        self.select.inv_exit_y_i.next = self.inv_exit_y_i.val();
-        self.select.inv_exit_z_i.next = self.inv_exit_z_i.val();
-        self.select.t_min_i.next = self.t_min_i.val();
-        self.select.t_max_i.next = self.t_max_i.val();
+        self.plane[0].next = self.bounds.box_min_x_i.val();
+        self.plane[1].next = self.bounds.box_min_y_i.val();
+        self.plane[2].next = self.bounds.box_min_z_i.val();
+        self.plane[3].next = self.bounds.box_max_x_i.val();
+        self.plane[4].next = self.bounds.box_max_y_i.val();
+        self.plane[5].next = self.bounds.box_max_z_i.val();
+        self.origin[0].next = self.ray.origin.origin_x_i.val();
+        self.origin[1].next = self.ray.origin.origin_y_i.val();
+        self.origin[2].next = self.ray.origin.origin_z_i.val();
+        self.origin[3].next = self.ray.origin.origin_x_i.val();
+        self.origin[4].next = self.ray.origin.origin_y_i.val();
+        self.origin[5].next = self.ray.origin.origin_z_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.select.clocking);
+        Reciprocals::<W>::link(&mut self.ray.reciprocals, &mut self.select.reciprocals);
+        Interval::<W>::link(&mut self.ray.interval, &mut self.select.interval);
 
         // Cycles 1 to 4: distances.
         for i in 0..6 {
-            self.subtract[i].clk_i.next = self.clk_i.val();
-            self.subtract[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.subtract[i].clocking);
             self.subtract[i].valid_i.next = self.valid_i.val();
             self.subtract[i].tag_i.next = 0.into();
             self.subtract[i].a_i.next = self.plane[i].val();
             self.subtract[i].b_i.next = self.origin[i].val();
             self.subtract[i].subtract_i.next = true;
             self.subtract[i].rounding_i.next = 0.into();
-            self.multiply[i].clk_i.next = self.clk_i.val();
-            self.multiply[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.multiply[i].clocking);
             self.multiply[i].valid_i.next = self.subtract[i].valid_o.val();
             self.multiply[i].tag_i.next = 0.into();
             self.multiply[i].a_i.next = self.subtract[i].result_o.val();
@@ -169,13 +165,11 @@ impl<
         }
 
         // Cycles 5 to 8: fold and compare.
-        self.fold.clk_i.next = self.clk_i.val();
-        self.fold.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.fold.clocking);
         self.fold.valid_i.next = self.multiply[0].valid_o.val();
         self.fold.t_min_i.next = self.select.t_min_o.val();
         self.fold.t_max_i.next = self.select.t_max_o.val();
-        self.tag.clk_i.next = self.clk_i.val();
-        self.tag.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.tag.clocking);
         self.tag.d_i.next = self.tag_i.val();
         self.valid_o.next = self.fold.valid_o.val();
         self.tag_o.next = self.tag.q_o.val();

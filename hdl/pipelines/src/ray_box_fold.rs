@@ -14,9 +14,9 @@
 
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::{Delay, Dff, dff_setup, module};
+use units::blocks::{ClockEnable, Delay, Dff, dff_setup, module};
 use units::widths::{check_widths, format};
-use units::{FpCmp, FpMinMax};
+use units::{FpCmp, fp_cmp, fp_min_max};
 
 /// Slab fold and hit test.
 ///
@@ -30,8 +30,7 @@ use units::{FpCmp, FpMinMax};
 /// Latency 4; `t_min_i` and `t_max_i` come one cycle after `t_i`, which is ordered min x, y, z, max x, y, z.
 #[derive(LogicBlock, Clone, Debug)]
 pub(super) struct RayBoxFold<const E: usize, const S: usize, const W: usize, const C: usize> {
-    pub clk_i: Signal<In, Clock>,
-    pub en_i: Signal<In, Bit>,
+    pub clocking: ClockEnable,
     pub valid_i: Signal<In, Bit>,
     pub t_i: [Signal<In, Bits<W>>; 6],
     pub t_min_i: Signal<In, Bits<W>>,
@@ -40,25 +39,25 @@ pub(super) struct RayBoxFold<const E: usize, const S: usize, const W: usize, con
     pub hit_o: Signal<Out, Bit>,
     pub t_entry_o: Signal<Out, Bits<W>>,
 
-    axis_near: [FpMinMax<E, S, W, 1>; 3],
-    axis_far: [FpMinMax<E, S, W, 1>; 3],
-    entry_half: [FpMinMax<E, S, W, 1>; 2],
-    exit_half: [FpMinMax<E, S, W, 1>; 2],
-    entry: FpMinMax<E, S, W, 1>,
-    leave: FpMinMax<E, S, W, 1>,
+    axis_near: [fp_min_max!(); 3],
+    axis_far: [fp_min_max!(); 3],
+    entry_half: [fp_min_max!(); 2],
+    exit_half: [fp_min_max!(); 2],
+    entry: fp_min_max!(),
+    leave: fp_min_max!(),
     t_min_wait: Delay<W, 2>,
-    accept: [FpCmp<E, S, W, 1>; C],
+    accept: [fp_cmp!(); C],
     hit: Signal<Local, Bit>,
     t_entry: Dff<Bits<W>>,
 }
 
 impl<const E: usize, const S: usize, const W: usize, const C: usize> Default for RayBoxFold<E, S, W, C> {
     fn default() -> Self {
-        check_widths!(W == E + S);
+        check_widths!(W);
         const { assert!(C == 1 || C == 2, "one comparison decides, a second one is redundant") };
         module! {
             accept = std::array::from_fn(|_| FpCmp::default());
-            clk_i, en_i, valid_i, t_i, t_min_i, t_max_i, valid_o, hit_o, t_entry_o,
+            clocking, valid_i, t_i, t_min_i, t_max_i, valid_o, hit_o, t_entry_o,
             axis_near, axis_far, entry_half, exit_half, entry, leave, t_min_wait, hit, t_entry,
         }
     }
@@ -67,20 +66,18 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Default for
 impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for RayBoxFold<E, S, W, C> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clk_i, t_entry);
+        dff_setup!(self, clocking.clk_i, t_entry);
 
         // Cycle 5: slabs.
         for i in 0..3 {
-            self.axis_near[i].clk_i.next = self.clk_i.val();
-            self.axis_near[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.axis_near[i].clocking);
             self.axis_near[i].valid_i.next = self.valid_i.val();
             self.axis_near[i].tag_i.next = 0.into();
             self.axis_near[i].a_i.next = self.t_i[i].val();
             self.axis_near[i].b_i.next = self.t_i[i + 3].val();
             self.axis_near[i].maximum_i.next = false;
             self.axis_near[i].propagate_nan_i.next = true;
-            self.axis_far[i].clk_i.next = self.clk_i.val();
-            self.axis_far[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.axis_far[i].clocking);
             self.axis_far[i].valid_i.next = self.valid_i.val();
             self.axis_far[i].tag_i.next = 0.into();
             self.axis_far[i].a_i.next = self.t_i[i].val();
@@ -91,14 +88,12 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for R
 
         // Cycles 6 and 7: fold.
         for i in 0..2 {
-            self.entry_half[i].clk_i.next = self.clk_i.val();
-            self.entry_half[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.entry_half[i].clocking);
             self.entry_half[i].valid_i.next = self.axis_near[i].valid_o.val();
             self.entry_half[i].tag_i.next = 0.into();
             self.entry_half[i].maximum_i.next = true;
             self.entry_half[i].propagate_nan_i.next = false;
-            self.exit_half[i].clk_i.next = self.clk_i.val();
-            self.exit_half[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.exit_half[i].clocking);
             self.exit_half[i].valid_i.next = self.axis_far[i].valid_o.val();
             self.exit_half[i].tag_i.next = 0.into();
             self.exit_half[i].maximum_i.next = false;
@@ -112,30 +107,26 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for R
         self.exit_half[0].b_i.next = self.axis_far[1].result_o.val();
         self.exit_half[1].a_i.next = self.axis_far[2].result_o.val();
         self.exit_half[1].b_i.next = self.t_max_i.val();
-        self.entry.clk_i.next = self.clk_i.val();
-        self.entry.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.entry.clocking);
         self.entry.valid_i.next = self.entry_half[0].valid_o.val();
         self.entry.tag_i.next = 0.into();
         self.entry.a_i.next = self.entry_half[0].result_o.val();
         self.entry.b_i.next = self.entry_half[1].result_o.val();
         self.entry.maximum_i.next = true;
         self.entry.propagate_nan_i.next = false;
-        self.leave.clk_i.next = self.clk_i.val();
-        self.leave.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.leave.clocking);
         self.leave.valid_i.next = self.exit_half[0].valid_o.val();
         self.leave.tag_i.next = 0.into();
         self.leave.a_i.next = self.exit_half[0].result_o.val();
         self.leave.b_i.next = self.exit_half[1].result_o.val();
         self.leave.maximum_i.next = false;
         self.leave.propagate_nan_i.next = false;
-        self.t_min_wait.clk_i.next = self.clk_i.val();
-        self.t_min_wait.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.t_min_wait.clocking);
         self.t_min_wait.d_i.next = self.t_min_i.val();
 
         // Cycle 8: compare.
         for i in 0..C {
-            self.accept[i].clk_i.next = self.clk_i.val();
-            self.accept[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.accept[i].clocking);
             self.accept[i].valid_i.next = self.entry.valid_o.val();
             self.accept[i].tag_i.next = 0.into();
         }
@@ -147,7 +138,7 @@ impl<const E: usize, const S: usize, const W: usize, const C: usize> Logic for R
             self.accept[i].b_i.next = self.t_min_wait.q_o.val();
             self.hit.next = self.hit.val() & !self.accept[i].lt_o.val();
         }
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.t_entry.d.next = self.entry.result_o.val();
         }
         self.hit_o.next = self.hit.val();

@@ -1,9 +1,10 @@
 //! Several ray-box pipelines side by side: one ray against all boxes of a wide node in one cycle.
 
 use super::RayBoxPipeline;
+use super::ports::{Bounds, Ray};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::{Delay, module};
+use units::blocks::{ClockEnable, Delay, module};
 use units::widths::format;
 
 /// Intersection test of a ray with `K` boxes.
@@ -35,48 +36,16 @@ pub struct RayBoxParallel<
     const C: usize,
     const T: usize,
 > {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Boxes and ray are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this test.
     pub tag_i: Signal<In, Bits<T>>,
-    /// Boxes, lower x.
-    pub box_min_x_i: [Signal<In, Bits<W>>; K],
-    /// Boxes, lower y.
-    pub box_min_y_i: [Signal<In, Bits<W>>; K],
-    /// Boxes, lower z.
-    pub box_min_z_i: [Signal<In, Bits<W>>; K],
-    /// Boxes, upper x.
-    pub box_max_x_i: [Signal<In, Bits<W>>; K],
-    /// Boxes, upper y.
-    pub box_max_y_i: [Signal<In, Bits<W>>; K],
-    /// Boxes, upper z.
-    pub box_max_z_i: [Signal<In, Bits<W>>; K],
-    /// Ray origin, x.
-    pub origin_x_i: Signal<In, Bits<W>>,
-    /// Ray origin, y.
-    pub origin_y_i: Signal<In, Bits<W>>,
-    /// Ray origin, z.
-    pub origin_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, x.
-    pub inv_entry_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, y.
-    pub inv_entry_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, z.
-    pub inv_entry_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, x.
-    pub inv_exit_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, y.
-    pub inv_exit_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, z.
-    pub inv_exit_z_i: Signal<In, Bits<W>>,
-    /// Start of the ray's interval.
-    pub t_min_i: Signal<In, Bits<W>>,
-    /// End of the ray's interval.
-    pub t_max_i: Signal<In, Bits<W>>,
+    /// Boxes.
+    pub bounds: [Bounds<W>; K],
+    /// Ray.
+    pub ray: Ray<W>,
     /// Results are valid.
     pub valid_o: Signal<Out, Bit>,
     /// Tag of the results.
@@ -105,15 +74,12 @@ impl<
 > Default for RayBoxParallel<E, S, W, X, R, N, P, K, C, T>
 {
     fn default() -> Self {
-        let ports = || std::array::from_fn(|_| Signal::default());
         module! {
-            box_min_x_i = ports(), box_min_y_i = ports(), box_min_z_i = ports(),
-            box_max_x_i = ports(), box_max_y_i = ports(), box_max_z_i = ports(),
+            bounds = std::array::from_fn(|_| Bounds::default()),
             hit_o = std::array::from_fn(|_| Signal::default()),
             t_entry_o = std::array::from_fn(|_| Signal::default()),
             lane = std::iter::repeat_with(RayBoxPipeline::default).take(K).collect();
-            clk_i, en_i, valid_i, tag_i, origin_x_i, origin_y_i, origin_z_i, inv_entry_x_i, inv_entry_y_i,
-            inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i, t_min_i, t_max_i, valid_o, tag_o, tag,
+            clocking, valid_i, tag_i, ray, valid_o, tag_o, tag,
         }
     }
 }
@@ -134,33 +100,16 @@ impl<
     #[hdl_gen]
     fn update(&mut self) {
         for i in 0..K {
-            self.lane[i].clk_i.next = self.clk_i.val();
-            self.lane[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.lane[i].clocking);
             self.lane[i].valid_i.next = self.valid_i.val();
             self.lane[i].tag_i.next = 0.into();
-            self.lane[i].box_min_x_i.next = self.box_min_x_i[i].val();
-            self.lane[i].box_min_y_i.next = self.box_min_y_i[i].val();
-            self.lane[i].box_min_z_i.next = self.box_min_z_i[i].val();
-            self.lane[i].box_max_x_i.next = self.box_max_x_i[i].val();
-            self.lane[i].box_max_y_i.next = self.box_max_y_i[i].val();
-            self.lane[i].box_max_z_i.next = self.box_max_z_i[i].val();
-            self.lane[i].origin_x_i.next = self.origin_x_i.val();
-            self.lane[i].origin_y_i.next = self.origin_y_i.val();
-            self.lane[i].origin_z_i.next = self.origin_z_i.val();
-            self.lane[i].inv_entry_x_i.next = self.inv_entry_x_i.val();
-            self.lane[i].inv_entry_y_i.next = self.inv_entry_y_i.val();
-            self.lane[i].inv_entry_z_i.next = self.inv_entry_z_i.val();
-            self.lane[i].inv_exit_x_i.next = self.inv_exit_x_i.val();
-            self.lane[i].inv_exit_y_i.next = self.inv_exit_y_i.val();
-            self.lane[i].inv_exit_z_i.next = self.inv_exit_z_i.val();
-            self.lane[i].t_min_i.next = self.t_min_i.val();
-            self.lane[i].t_max_i.next = self.t_max_i.val();
+            Bounds::<W>::link(&mut self.bounds[i], &mut self.lane[i].bounds);
+            Ray::<W>::link(&mut self.ray, &mut self.lane[i].ray);
             self.hit_o[i].next = self.lane[i].hit_o.val();
             self.t_entry_o[i].next = self.lane[i].t_entry_o.val();
         }
         self.valid_o.next = self.lane[0].valid_o.val();
-        self.tag.clk_i.next = self.clk_i.val();
-        self.tag.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.tag.clocking);
         self.tag.d_i.next = self.tag_i.val();
         self.tag_o.next = self.tag.q_o.val();
     }

@@ -3,9 +3,10 @@
 //! A ray that runs upwards on an axis enters through the box's min plane and leaves through its max plane; the sign bit
 //! of the entry reciprocal tells the direction.
 
+use super::ports::{Interval, Reciprocals};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::{Delay, module};
+use units::blocks::{ClockEnable, Delay, module};
 
 /// Reciprocal selection and waiting lines of a ray-box test.
 ///
@@ -20,16 +21,9 @@ use units::blocks::{Delay, module};
 /// `inv_o` is ordered min x, y, z, max x, y, z.
 #[derive(LogicBlock, Clone, Debug)]
 pub(super) struct RayBoxSelect<const W: usize> {
-    pub clk_i: Signal<In, Clock>,
-    pub en_i: Signal<In, Bit>,
-    pub inv_entry_x_i: Signal<In, Bits<W>>,
-    pub inv_entry_y_i: Signal<In, Bits<W>>,
-    pub inv_entry_z_i: Signal<In, Bits<W>>,
-    pub inv_exit_x_i: Signal<In, Bits<W>>,
-    pub inv_exit_y_i: Signal<In, Bits<W>>,
-    pub inv_exit_z_i: Signal<In, Bits<W>>,
-    pub t_min_i: Signal<In, Bits<W>>,
-    pub t_max_i: Signal<In, Bits<W>>,
+    pub clocking: ClockEnable,
+    pub reciprocals: Reciprocals<W>,
+    pub interval: Interval<W>,
     pub inv_o: [Signal<Out, Bits<W>>; 6],
     pub t_min_o: Signal<Out, Bits<W>>,
     pub t_max_o: Signal<Out, Bits<W>>,
@@ -47,8 +41,7 @@ impl<const W: usize> Default for RayBoxSelect<W> {
     fn default() -> Self {
         module! {
             sign_index = Constant::new((W as u64 - 1).into());
-            clk_i, en_i, inv_entry_x_i, inv_entry_y_i, inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i,
-            t_min_i, t_max_i, inv_o, t_min_o, t_max_o, inv_entry, inv_exit, inv_low, inv_high, inv_wait, t_min_wait, t_max_wait,
+            clocking, reciprocals, interval, inv_o, t_min_o, t_max_o, inv_entry, inv_exit, inv_low, inv_high, inv_wait, t_min_wait, t_max_wait,
         }
     }
 }
@@ -56,12 +49,12 @@ impl<const W: usize> Default for RayBoxSelect<W> {
 impl<const W: usize> Logic for RayBoxSelect<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        self.inv_entry[0].next = self.inv_entry_x_i.val();
-        self.inv_entry[1].next = self.inv_entry_y_i.val();
-        self.inv_entry[2].next = self.inv_entry_z_i.val();
-        self.inv_exit[0].next = self.inv_exit_x_i.val();
-        self.inv_exit[1].next = self.inv_exit_y_i.val();
-        self.inv_exit[2].next = self.inv_exit_z_i.val();
+        self.inv_entry[0].next = self.reciprocals.inv_entry_x_i.val();
+        self.inv_entry[1].next = self.reciprocals.inv_entry_y_i.val();
+        self.inv_entry[2].next = self.reciprocals.inv_entry_z_i.val();
+        self.inv_exit[0].next = self.reciprocals.inv_exit_x_i.val();
+        self.inv_exit[1].next = self.reciprocals.inv_exit_y_i.val();
+        self.inv_exit[2].next = self.reciprocals.inv_exit_z_i.val();
         for i in 0..3 {
             self.inv_low[i].next = self.inv_entry[i].val();
             self.inv_high[i].next = self.inv_exit[i].val();
@@ -73,17 +66,14 @@ impl<const W: usize> Logic for RayBoxSelect<W> {
             self.inv_wait[i + 3].d_i.next = self.inv_high[i].val();
         }
         for i in 0..6 {
-            self.inv_wait[i].clk_i.next = self.clk_i.val();
-            self.inv_wait[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.inv_wait[i].clocking);
             self.inv_o[i].next = self.inv_wait[i].q_o.val();
         }
-        self.t_min_wait.clk_i.next = self.clk_i.val();
-        self.t_min_wait.en_i.next = self.en_i.val();
-        self.t_min_wait.d_i.next = self.t_min_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.t_min_wait.clocking);
+        self.t_min_wait.d_i.next = self.interval.t_min_i.val();
         self.t_min_o.next = self.t_min_wait.q_o.val();
-        self.t_max_wait.clk_i.next = self.clk_i.val();
-        self.t_max_wait.en_i.next = self.en_i.val();
-        self.t_max_wait.d_i.next = self.t_max_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.t_max_wait.clocking);
+        self.t_max_wait.d_i.next = self.interval.t_max_i.val();
         self.t_max_o.next = self.t_max_wait.q_o.val();
     }
 

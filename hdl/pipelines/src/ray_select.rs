@@ -4,6 +4,7 @@
 //! smaller coordinates and leaves through a box's min side. A plane is thus an exit if that bit equals the plane's
 //! side, and its role picks one of the axis' two reciprocals.
 
+use super::ports::{Origin, Reciprocals};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 use units::blocks::module;
@@ -25,15 +26,8 @@ use units::blocks::module;
 pub(super) struct RaySelect<const W: usize> {
     pub axis_i: Signal<In, Bits<2>>,
     pub min_side_i: Signal<In, Bit>,
-    pub origin_x_i: Signal<In, Bits<W>>,
-    pub origin_y_i: Signal<In, Bits<W>>,
-    pub origin_z_i: Signal<In, Bits<W>>,
-    pub inv_entry_x_i: Signal<In, Bits<W>>,
-    pub inv_entry_y_i: Signal<In, Bits<W>>,
-    pub inv_entry_z_i: Signal<In, Bits<W>>,
-    pub inv_exit_x_i: Signal<In, Bits<W>>,
-    pub inv_exit_y_i: Signal<In, Bits<W>>,
-    pub inv_exit_z_i: Signal<In, Bits<W>>,
+    pub ray_origin: Origin<W>,
+    pub reciprocals: Reciprocals<W>,
     pub origin_o: Signal<Out, Bits<W>>,
     pub inv_o: Signal<Out, Bits<W>>,
     pub inv_entry_o: Signal<Out, Bits<W>>,
@@ -52,8 +46,7 @@ impl<const W: usize> Default for RaySelect<W> {
     fn default() -> Self {
         module! {
             sign_index = Constant::new((W as u64 - 1).into());
-            axis_i, min_side_i, origin_x_i, origin_y_i, origin_z_i, inv_entry_x_i, inv_entry_y_i, inv_entry_z_i,
-            inv_exit_x_i, inv_exit_y_i, inv_exit_z_i, origin_o, inv_o, inv_entry_o, negative_o, exit_o,
+            axis_i, min_side_i, ray_origin, reciprocals, origin_o, inv_o, inv_entry_o, negative_o, exit_o,
             origin, inv_entry, inv_exit, inv, negative, leaving,
         }
     }
@@ -62,18 +55,18 @@ impl<const W: usize> Default for RaySelect<W> {
 impl<const W: usize> Logic for RaySelect<W> {
     #[hdl_gen]
     fn update(&mut self) {
-        self.origin.next = self.origin_z_i.val();
-        self.inv_entry.next = self.inv_entry_z_i.val();
-        self.inv_exit.next = self.inv_exit_z_i.val();
+        self.origin.next = self.ray_origin.origin_z_i.val();
+        self.inv_entry.next = self.reciprocals.inv_entry_z_i.val();
+        self.inv_exit.next = self.reciprocals.inv_exit_z_i.val();
         if self.axis_i.val() == 0 {
-            self.origin.next = self.origin_x_i.val();
-            self.inv_entry.next = self.inv_entry_x_i.val();
-            self.inv_exit.next = self.inv_exit_x_i.val();
+            self.origin.next = self.ray_origin.origin_x_i.val();
+            self.inv_entry.next = self.reciprocals.inv_entry_x_i.val();
+            self.inv_exit.next = self.reciprocals.inv_exit_x_i.val();
         }
         if self.axis_i.val() == 1 {
-            self.origin.next = self.origin_y_i.val();
-            self.inv_entry.next = self.inv_entry_y_i.val();
-            self.inv_exit.next = self.inv_exit_y_i.val();
+            self.origin.next = self.ray_origin.origin_y_i.val();
+            self.inv_entry.next = self.reciprocals.inv_entry_y_i.val();
+            self.inv_exit.next = self.reciprocals.inv_exit_y_i.val();
         }
         self.negative.next = self.inv_entry.val().get_bit(self.sign_index.val().index());
         self.leaving.next = self.negative.val() == self.min_side_i.val();

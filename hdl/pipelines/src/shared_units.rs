@@ -14,11 +14,12 @@
 
 use super::dual_split_fold::DualSplitFold;
 use super::dual_split_select::DualSplitSelect;
+use super::ports::{Bounds, Interval, Node, Ray, Reciprocals, Step};
 use super::ray_box_fold::RayBoxFold;
 use super::ray_box_select::RayBoxSelect;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::Delay;
+use units::blocks::{ClockEnable, Delay};
 use units::widths::format;
 use units::{FpAdd, FpMul};
 
@@ -53,10 +54,8 @@ pub struct SharedUnits<
     const P: usize,
     const T: usize,
 > {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Routing.
     pub mode_i: Signal<In, Bits<2>>,
     /// Threads: addition is valid.
@@ -81,46 +80,12 @@ pub struct SharedUnits<
     pub valid_i: Signal<In, Bit>,
     /// Pipeline: tag of this operation.
     pub tag_i: Signal<In, Bits<T>>,
-    /// Dual-split: the node's first word.
-    pub header_i: Signal<In, Bits<32>>,
-    /// Dual-split: the node's second word.
-    pub plane_0_i: Signal<In, Bits<W>>,
-    /// Dual-split: the node's third word.
-    pub plane_1_i: Signal<In, Bits<W>>,
-    /// Ray-box: lower x.
-    pub box_min_x_i: Signal<In, Bits<W>>,
-    /// Ray-box: lower y.
-    pub box_min_y_i: Signal<In, Bits<W>>,
-    /// Ray-box: lower z.
-    pub box_min_z_i: Signal<In, Bits<W>>,
-    /// Ray-box: upper x.
-    pub box_max_x_i: Signal<In, Bits<W>>,
-    /// Ray-box: upper y.
-    pub box_max_y_i: Signal<In, Bits<W>>,
-    /// Ray-box: upper z.
-    pub box_max_z_i: Signal<In, Bits<W>>,
-    /// Ray origin, x.
-    pub origin_x_i: Signal<In, Bits<W>>,
-    /// Ray origin, y.
-    pub origin_y_i: Signal<In, Bits<W>>,
-    /// Ray origin, z.
-    pub origin_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, x.
-    pub inv_entry_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, y.
-    pub inv_entry_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for entry planes, z.
-    pub inv_entry_z_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, x.
-    pub inv_exit_x_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, y.
-    pub inv_exit_y_i: Signal<In, Bits<W>>,
-    /// Reciprocal of the direction for exit planes, z.
-    pub inv_exit_z_i: Signal<In, Bits<W>>,
-    /// Start of the interval.
-    pub t_min_i: Signal<In, Bits<W>>,
-    /// End of the interval.
-    pub t_max_i: Signal<In, Bits<W>>,
+    /// Node.
+    pub node: Node<W>,
+    /// Box.
+    pub bounds: Bounds<W>,
+    /// Ray.
+    pub ray: Ray<W>,
     /// Threads: sum is valid.
     pub add_valid_o: [Signal<Out, Bit>; 8],
     /// Threads: tag of the sum.
@@ -137,20 +102,8 @@ pub struct SharedUnits<
     pub tag_o: Signal<Out, Bits<T>>,
     /// Dual-split: result is valid.
     pub node_valid_o: Signal<Out, Bit>,
-    /// Dual-split: return value.
-    pub code_o: Signal<Out, Bits<2>>,
-    /// Dual-split, near slot: offset in words, or first triangle.
-    pub near_offset_o: Signal<Out, Bits<32>>,
-    /// Dual-split, near slot: start of the interval.
-    pub near_t_min_o: Signal<Out, Bits<W>>,
-    /// Dual-split, near slot: end of the interval.
-    pub near_t_max_o: Signal<Out, Bits<W>>,
-    /// Dual-split, far slot: offset in words.
-    pub far_offset_o: Signal<Out, Bits<32>>,
-    /// Dual-split, far slot: start of the interval.
-    pub far_t_min_o: Signal<Out, Bits<W>>,
-    /// Dual-split, far slot: end of the interval.
-    pub far_t_max_o: Signal<Out, Bits<W>>,
+    /// What the step returns.
+    pub step: Step<W>,
     /// Ray-box: result is valid.
     pub box_valid_o: Signal<Out, Bit>,
     /// Ray-box: the ray meets the box inside its interval.
@@ -196,45 +149,25 @@ impl<
         self.dual_split.next = self.mode_i.val() == 2;
 
         // Ray and operands of both pipelines.
-        self.plane[0].next = self.box_min_x_i.val();
-        self.plane[1].next = self.box_min_y_i.val();
-        self.plane[2].next = self.box_min_z_i.val();
-        self.plane[3].next = self.box_max_x_i.val();
-        self.plane[4].next = self.box_max_y_i.val();
-        self.plane[5].next = self.box_max_z_i.val();
-        self.origin[0].next = self.origin_x_i.val();
-        self.origin[1].next = self.origin_y_i.val();
-        self.origin[2].next = self.origin_z_i.val();
-        self.origin[3].next = self.origin_x_i.val();
-        self.origin[4].next = self.origin_y_i.val();
-        self.origin[5].next = self.origin_z_i.val();
-        self.box_select.clk_i.next = self.clk_i.val();
-        self.box_select.en_i.next = self.en_i.val();
-        self.box_select.inv_entry_x_i.next = self.inv_entry_x_i.val();
-        self.box_select.inv_entry_y_i.next = self.inv_entry_y_i.val();
-        self.box_select.inv_entry_z_i.next = self.inv_entry_z_i.val();
-        self.box_select.inv_exit_x_i.next = self.inv_exit_x_i.val();
-        self.box_select.inv_exit_y_i.next = self.inv_exit_y_i.val();
-        self.box_select.inv_exit_z_i.next = self.inv_exit_z_i.val();
-        self.box_select.t_min_i.next = self.t_min_i.val();
-        self.box_select.t_max_i.next = self.t_max_i.val();
-        self.node_select.clk_i.next = self.clk_i.val();
-        self.node_select.en_i.next = self.en_i.val();
+        self.plane[0].next = self.bounds.box_min_x_i.val();
+        self.plane[1].next = self.bounds.box_min_y_i.val();
+        self.plane[2].next = self.bounds.box_min_z_i.val();
+        self.plane[3].next = self.bounds.box_max_x_i.val();
+        self.plane[4].next = self.bounds.box_max_y_i.val();
+        self.plane[5].next = self.bounds.box_max_z_i.val();
+        self.origin[0].next = self.ray.origin.origin_x_i.val();
+        self.origin[1].next = self.ray.origin.origin_y_i.val();
+        self.origin[2].next = self.ray.origin.origin_z_i.val();
+        self.origin[3].next = self.ray.origin.origin_x_i.val();
+        self.origin[4].next = self.ray.origin.origin_y_i.val();
+        self.origin[5].next = self.ray.origin.origin_z_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.box_select.clocking);
+        Reciprocals::<W>::link(&mut self.ray.reciprocals, &mut self.box_select.reciprocals);
+        Interval::<W>::link(&mut self.ray.interval, &mut self.box_select.interval);
+        ClockEnable::link(&mut self.clocking, &mut self.node_select.clocking);
         self.node_select.valid_i.next = self.valid_i.val() & self.dual_split.val();
-        self.node_select.header_i.next = self.header_i.val();
-        self.node_select.plane_0_i.next = self.plane_0_i.val();
-        self.node_select.plane_1_i.next = self.plane_1_i.val();
-        self.node_select.origin_x_i.next = self.origin_x_i.val();
-        self.node_select.origin_y_i.next = self.origin_y_i.val();
-        self.node_select.origin_z_i.next = self.origin_z_i.val();
-        self.node_select.inv_entry_x_i.next = self.inv_entry_x_i.val();
-        self.node_select.inv_entry_y_i.next = self.inv_entry_y_i.val();
-        self.node_select.inv_entry_z_i.next = self.inv_entry_z_i.val();
-        self.node_select.inv_exit_x_i.next = self.inv_exit_x_i.val();
-        self.node_select.inv_exit_y_i.next = self.inv_exit_y_i.val();
-        self.node_select.inv_exit_z_i.next = self.inv_exit_z_i.val();
-        self.node_select.t_min_i.next = self.t_min_i.val();
-        self.node_select.t_max_i.next = self.t_max_i.val();
+        Node::<W>::link(&mut self.node, &mut self.node_select.node);
+        Ray::<W>::link(&mut self.ray, &mut self.node_select.ray);
 
         // The threads have every unit ...
         for i in 0..8 {
@@ -275,8 +208,7 @@ impl<
             }
         }
         for i in 0..8 {
-            self.add[i].clk_i.next = self.clk_i.val();
-            self.add[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.add[i].clocking);
             self.add[i].valid_i.next = self.add_valid[i].val();
             self.add[i].tag_i.next = self.add_tag_i[i].val();
             self.add[i].a_i.next = self.add_a[i].val();
@@ -286,8 +218,7 @@ impl<
             self.add_valid_o[i].next = self.add[i].valid_o.val() & !self.taken[i].val();
             self.add_tag_o[i].next = self.add[i].tag_o.val();
             self.add_result_o[i].next = self.add[i].result_o.val();
-            self.mul[i].clk_i.next = self.clk_i.val();
-            self.mul[i].en_i.next = self.en_i.val();
+            ClockEnable::link(&mut self.clocking, &mut self.mul[i].clocking);
             self.mul[i].valid_i.next = self.mul_valid[i].val();
             self.mul[i].tag_i.next = self.mul_tag_i[i].val();
             self.mul[i].a_i.next = self.mul_a[i].val();
@@ -299,13 +230,11 @@ impl<
         }
 
         // Results of the pipelines.
-        self.box_fold.clk_i.next = self.clk_i.val();
-        self.box_fold.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.box_fold.clocking);
         self.box_fold.valid_i.next = self.mul[0].valid_o.val() & self.ray_box.val();
         self.box_fold.t_min_i.next = self.box_select.t_min_o.val();
         self.box_fold.t_max_i.next = self.box_select.t_max_o.val();
-        self.node_fold.clk_i.next = self.clk_i.val();
-        self.node_fold.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.node_fold.clocking);
         self.node_fold.valid_i.next = self.mul[0].valid_o.val() & self.dual_split.val();
         self.node_fold.t_0_i.next = self.mul[0].result_o.val();
         self.node_fold.t_1_i.next = self.mul[1].result_o.val();
@@ -314,18 +243,11 @@ impl<
         self.node_fold.header_i.next = self.node_select.header_o.val();
         self.node_fold.t_min_i.next = self.node_select.t_min_o.val();
         self.node_fold.t_max_i.next = self.node_select.t_max_o.val();
-        self.tag.clk_i.next = self.clk_i.val();
-        self.tag.en_i.next = self.en_i.val();
+        ClockEnable::link(&mut self.clocking, &mut self.tag.clocking);
         self.tag.d_i.next = self.tag_i.val();
         self.tag_o.next = self.tag.q_o.val();
         self.node_valid_o.next = self.node_fold.valid_o.val();
-        self.code_o.next = self.node_fold.code_o.val();
-        self.near_offset_o.next = self.node_fold.near_offset_o.val();
-        self.near_t_min_o.next = self.node_fold.near_t_min_o.val();
-        self.near_t_max_o.next = self.node_fold.near_t_max_o.val();
-        self.far_offset_o.next = self.node_fold.far_offset_o.val();
-        self.far_t_min_o.next = self.node_fold.far_t_min_o.val();
-        self.far_t_max_o.next = self.node_fold.far_t_max_o.val();
+        Step::<W>::link(&mut self.step, &mut self.node_fold.step);
         self.box_valid_o.next = self.box_fold.valid_o.val();
         self.hit_o.next = self.box_fold.hit_o.val();
         self.t_entry_o.next = self.box_fold.t_entry_o.val();

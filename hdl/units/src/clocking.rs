@@ -31,7 +31,7 @@ pub trait Clocked: Block {
     }
 }
 
-/// Implements [`Clocked`] for modules whose clock port is the field `clk_i`.
+/// Implements [`Clocked`] for modules whose clock port is in the field `clocking`.
 #[macro_export]
 macro_rules! clocked {
     ($($module:ident<$($width:ident),*>),* $(,)?) => { $(
@@ -40,7 +40,7 @@ macro_rules! clocked {
                 ::rust_hdl_core::prelude::In,
                 ::rust_hdl_core::prelude::Clock,
             > {
-                &mut self.clk_i
+                &mut self.clocking.clk_i
             }
         }
     )* };

@@ -25,10 +25,9 @@
 //! | x + (-x) for finite x | +0, or -0 if rounding down |
 //! | zeros of equal sign | that zero |
 
-use super::{FpUnpack, Rounder, StickyShift, variant};
-use crate::blocks::{Dff, dff_setup, module};
+use super::{FpUnpack, Rounder, StickyShift};
+use crate::blocks::{ClockEnable, Dff, dff_setup, module};
 use crate::widths::{check_widths, format};
-use fp::Subnormals;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -47,6 +46,38 @@ use rust_hdl_core::prelude::*;
 ///                +-----------+
 /// ```
 /// Latency 2. `rounding_i` is coded as [`fp::Rounding`].
+///
+/// Two operations with one stall:
+///
+/// ```text
+/// cycle      0   1   2   3   4   5
+/// clk_i      ~\_/~\_/~\_/~\_/~\_/~\_/
+/// en_i       ~~~~~~~~\___/~~~~~~~~~~~
+/// valid_i    ~~~~~~~~\_______________
+/// a_i, b_i   X A X B X---------------
+/// valid_o    ________/~~~~~~~~~~~\___
+/// result_o   --------X A     X B X---
+/// ```
+///
+/// The same in the simulator:
+///
+/// ```
+/// use units::clocking::Clocked;
+///
+/// let mut unit = <units::fp_add!(8, 24)>::default();
+/// let operands = [(1.5, 2.25), (1.0, 1e-8)];
+/// let mut shown = Vec::new();
+/// for cycle in 0..5 {
+///     unit.clocking.en_i.next = cycle != 2;
+///     unit.valid_i.next = cycle < 2;
+///     let (a, b) = operands[cycle % 2];
+///     unit.a_i.next = u64::from(f32::to_bits(a)).into();
+///     unit.b_i.next = u64::from(f32::to_bits(b)).into();
+///     unit.tick();
+///     shown.push(unit.valid_o.val().then(|| f32::from_bits(unit.result_o.val().to_u32())));
+/// }
+/// assert_eq!(shown, [None, Some(3.75), Some(3.75), Some(1.0), None]);
+/// ```
 #[derive(LogicBlock, Clone, Debug)]
 pub struct FpAdd<
     const E: usize,
@@ -57,10 +88,8 @@ pub struct FpAdd<
     const N: usize,
     const T: usize,
 > {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Operands are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this operation.
@@ -124,7 +153,6 @@ pub struct FpAdd<
     valid_2: Dff<Bit>,
     tag_2: Dff<Bits<T>>,
     result: Dff<Bits<W>>,
-    subnormals: Constant<Bit>,
 }
 
 impl<
@@ -135,24 +163,18 @@ impl<
     const R: usize,
     const N: usize,
     const T: usize,
-> FpAdd<E, S, W, X, R, N, T>
+> Default for FpAdd<E, S, W, X, R, N, T>
 {
-    /// The unit with the given treatment of subnormals.
-    #[must_use]
-    pub fn new(subnormals: Subnormals) -> Self {
-        check_widths!(W == E + S, X == E + 2, R == S + 2, N == S + 4);
+    fn default() -> Self {
+        check_widths!(W, X, R, N);
         // Row i shifts by 2^(E-1-i), if at least as many bits lead with zeros; a longer shift than the sum never is.
         let distance = |i: usize| 1usize << (E - 1 - i);
         let limit = |i: usize| if distance(i) < N { 1u64 << (N - distance(i)) } else { 0 };
         module! {
             magnitude_mask = Constant::new(u64::from(format::<E, S>().magnitude(u32::MAX)).into()),
-            a = FpUnpack::new(subnormals),
-            b = FpUnpack::new(subnormals),
-            rounder = Rounder::new(subnormals),
             distance = std::array::from_fn(|i| Constant::new((distance(i) as u64).into())),
-            limit = std::array::from_fn(|i| Constant::new(limit(i).into())),
-            subnormals = Constant::new(subnormals == Subnormals::Flush);
-            clk_i, en_i, valid_i, tag_i, a_i, b_i, subtract_i, rounding_i, valid_o, tag_o, result_o,
+            limit = std::array::from_fn(|i| Constant::new(limit(i).into()));
+            a, b, rounder, clocking, valid_i, tag_i, a_i, b_i, subtract_i, rounding_i, valid_o, tag_o, result_o,
             sign_b, differ, magnitude_a, magnitude_b, swap, high_sign, high_exponent, low_exponent, high_significand,
             low_significand, high, low, align, total,
             valid_1, tag_1, rounding, nan, infinity, sign, zero_sign, exponent, sum,
@@ -170,27 +192,24 @@ impl<
     const R: usize,
     const N: usize,
     const T: usize,
-> Default for FpAdd<E, S, W, X, R, N, T>
-{
-    fn default() -> Self {
-        Self::new(Subnormals::Keep)
-    }
-}
-
-impl<
-    const E: usize,
-    const S: usize,
-    const W: usize,
-    const X: usize,
-    const R: usize,
-    const N: usize,
-    const T: usize,
 > Logic for FpAdd<E, S, W, X, R, N, T>
 {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clk_i, valid_1, tag_1, rounding, nan, infinity, sign, zero_sign, exponent, sum);
-        dff_setup!(self, clk_i, valid_2, tag_2, result);
+        dff_setup!(
+            self,
+            clocking.clk_i,
+            valid_1,
+            tag_1,
+            rounding,
+            nan,
+            infinity,
+            sign,
+            zero_sign,
+            exponent,
+            sum
+        );
+        dff_setup!(self, clocking.clk_i, valid_2, tag_2, result);
 
         // Cycle 1: order the operands by magnitude.
         self.a.word_i.next = self.a_i.val();
@@ -223,7 +242,7 @@ impl<
         if self.differ.val() {
             self.total.next = self.high.val() - self.align.result_o.val();
         }
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.valid_1.d.next = self.valid_i.val();
             self.tag_1.d.next = self.tag_i.val();
             self.rounding.d.next = self.rounding_i.val();
@@ -264,7 +283,7 @@ impl<
         self.rounder.nan_i.next = self.nan.q.val();
         self.rounder.infinity_i.next = self.infinity.q.val();
         self.rounder.rounding_i.next = self.rounding.q.val();
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.valid_2.d.next = self.valid_1.q.val();
             self.tag_2.d.next = self.tag_1.q.val();
             self.result.d.next = self.rounder.result_o.val();
@@ -275,6 +294,6 @@ impl<
     }
 
     fn timing(&self) -> Vec<TimingInfo> {
-        named("fp_add", &format!("{}_t{T}", variant::<E, S>(self.subnormals.val())))
+        named("fp_add", &format!("{}_t{T}", format::<E, S>().systematic_name()))
     }
 }

@@ -6,7 +6,7 @@
 //! right; if only `b` is negative, `u = 1`, and `!u` is right. Hence `a < b` is `u` xor `(sign_a | sign_b)` wherever the
 //! operands differ.
 
-use crate::blocks::{Dff, dff_setup, module};
+use crate::blocks::{ClockEnable, Dff, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
@@ -24,13 +24,43 @@ use rust_hdl_core::prelude::*;
 ///    clk_i ->|            |
 ///            +------------+
 /// ```
-/// Latency 1. All three are low if an operand is NaN; -0 equals +0; subnormals are never flushed.
+/// Latency 1. All three are low if an operand is NaN; -0 equals +0; subnormals are numbers like any other.
+///
+/// Two operations with one stall:
+///
+/// ```text
+/// cycle      0   1   2   3   4
+/// clk_i      ~\_/~\_/~\_/~\_/~\_/
+/// en_i       ~~~~~~~~\___/~~~~~~~
+/// valid_i    ~~~~~~~~\___________
+/// a_i, b_i   X A X B X-----------
+/// valid_o    ____/~~~~~~~~~~~\___
+/// lt_o, ...  ----X A X B     X---
+/// ```
+///
+/// The same in the simulator:
+///
+/// ```
+/// use units::clocking::Clocked;
+///
+/// let mut unit = <units::fp_cmp!(8, 24)>::default();
+/// let operands = [(-0.0, 0.0), (1.0, f32::NAN)];
+/// let mut shown = Vec::new();
+/// for cycle in 0..4 {
+///     unit.clocking.en_i.next = cycle != 2;
+///     unit.valid_i.next = cycle < 2;
+///     let (a, b) = operands[cycle % 2];
+///     unit.a_i.next = u64::from(f32::to_bits(a)).into();
+///     unit.b_i.next = u64::from(f32::to_bits(b)).into();
+///     unit.tick();
+///     shown.push(unit.valid_o.val().then(|| [unit.lt_o.val(), unit.le_o.val()]));
+/// }
+/// assert_eq!(shown, [Some([false, true]), Some([false; 2]), Some([false; 2]), None]);
+/// ```
 #[derive(LogicBlock, Clone, Debug)]
 pub struct FpCmp<const E: usize, const S: usize, const W: usize, const T: usize> {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Operands are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this operation.
@@ -68,12 +98,12 @@ pub struct FpCmp<const E: usize, const S: usize, const W: usize, const T: usize>
 
 impl<const E: usize, const S: usize, const W: usize, const T: usize> Default for FpCmp<E, S, W, T> {
     fn default() -> Self {
-        check_widths!(W == E + S);
+        check_widths!(W);
         let format = format::<E, S>();
         module! {
             magnitude_mask = Constant::new(u64::from(format.magnitude(u32::MAX)).into()),
             infinity = Constant::new(u64::from(format.infinity()).into());
-            clk_i, en_i, valid_i, tag_i, a_i, b_i, valid_o, tag_o, lt_o, le_o, eq_o,
+            clocking, valid_i, tag_i, a_i, b_i, valid_o, tag_o, lt_o, le_o, eq_o,
             magnitude_a, magnitude_b, any_magnitude, any_negative, ordered, below, equal, less,
             valid, tag, lt, le, eq,
         }
@@ -83,7 +113,7 @@ impl<const E: usize, const S: usize, const W: usize, const T: usize> Default for
 impl<const E: usize, const S: usize, const W: usize, const T: usize> Logic for FpCmp<E, S, W, T> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clk_i, valid, tag, lt, le, eq);
+        dff_setup!(self, clocking.clk_i, valid, tag, lt, le, eq);
         self.magnitude_a.next = self.a_i.val() & self.magnitude_mask.val();
         self.magnitude_b.next = self.b_i.val() & self.magnitude_mask.val();
         self.any_magnitude.next = self.magnitude_a.val() | self.magnitude_b.val();
@@ -94,7 +124,7 @@ impl<const E: usize, const S: usize, const W: usize, const T: usize> Logic for F
         self.below.next = self.a_i.val() < self.b_i.val();
         self.equal.next = (self.a_i.val() == self.b_i.val()) | !self.any_magnitude.val().any();
         self.less.next = (self.below.val() ^ self.any_negative.val()) & !self.equal.val();
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.valid.d.next = self.valid_i.val();
             self.tag.d.next = self.tag_i.val();
             self.lt.d.next = self.ordered.val() & self.less.val();

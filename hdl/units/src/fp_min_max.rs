@@ -13,7 +13,7 @@
 //!
 //! Every NaN result is canonical.
 
-use crate::blocks::{Dff, dff_setup, module};
+use crate::blocks::{ClockEnable, Dff, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
@@ -32,13 +32,44 @@ use rust_hdl_core::prelude::*;
 ///          clk_i --->|            |
 ///                    +------------+
 /// ```
-/// Latency 1. -0 orders before +0; subnormals are never flushed.
+/// Latency 1. -0 orders before +0; subnormals are numbers like any other.
+///
+/// Two operations with one stall:
+///
+/// ```text
+/// cycle      0   1   2   3   4
+/// clk_i      ~\_/~\_/~\_/~\_/~\_/
+/// en_i       ~~~~~~~~\___/~~~~~~~
+/// valid_i    ~~~~~~~~\___________
+/// a_i, b_i   X A X B X-----------
+/// valid_o    ____/~~~~~~~~~~~\___
+/// result_o   ----X A X B     X---
+/// ```
+///
+/// The same in the simulator:
+///
+/// ```
+/// use units::clocking::Clocked;
+///
+/// let mut unit = <units::fp_min_max!(8, 24)>::default();
+/// unit.maximum_i.next = true;
+/// let operands = [(1.5, 2.5), (f32::NAN, -1.0)];
+/// let mut shown = Vec::new();
+/// for cycle in 0..4 {
+///     unit.clocking.en_i.next = cycle != 2;
+///     unit.valid_i.next = cycle < 2;
+///     let (a, b) = operands[cycle % 2];
+///     unit.a_i.next = u64::from(f32::to_bits(a)).into();
+///     unit.b_i.next = u64::from(f32::to_bits(b)).into();
+///     unit.tick();
+///     shown.push(unit.valid_o.val().then(|| f32::from_bits(unit.result_o.val().to_u32())));
+/// }
+/// assert_eq!(shown, [Some(2.5), Some(-1.0), Some(-1.0), None]);
+/// ```
 #[derive(LogicBlock, Clone, Debug)]
 pub struct FpMinMax<const E: usize, const S: usize, const W: usize, const T: usize> {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Operands are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this operation.
@@ -76,13 +107,13 @@ pub struct FpMinMax<const E: usize, const S: usize, const W: usize, const T: usi
 
 impl<const E: usize, const S: usize, const W: usize, const T: usize> Default for FpMinMax<E, S, W, T> {
     fn default() -> Self {
-        check_widths!(W == E + S);
+        check_widths!(W);
         let format = format::<E, S>();
         module! {
             magnitude_mask = Constant::new(u64::from(format.magnitude(u32::MAX)).into()),
             infinity = Constant::new(u64::from(format.infinity()).into()),
             canonical_nan = Constant::new(u64::from(format.canonical_nan()).into());
-            clk_i, en_i, valid_i, tag_i, a_i, b_i, maximum_i, propagate_nan_i, valid_o, tag_o, result_o,
+            clocking, valid_i, tag_i, a_i, b_i, maximum_i, propagate_nan_i, valid_o, tag_o, result_o,
             magnitude_a, magnitude_b, nan_a, nan_b, nan, any_negative, below, choose_a, chosen,
             valid, tag, result,
         }
@@ -92,7 +123,7 @@ impl<const E: usize, const S: usize, const W: usize, const T: usize> Default for
 impl<const E: usize, const S: usize, const W: usize, const T: usize> Logic for FpMinMax<E, S, W, T> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clk_i, valid, tag, result);
+        dff_setup!(self, clocking.clk_i, valid, tag, result);
         self.magnitude_a.next = self.a_i.val() & self.magnitude_mask.val();
         self.magnitude_b.next = self.b_i.val() & self.magnitude_mask.val();
         self.nan_a.next = self.magnitude_a.val() > self.infinity.val();
@@ -111,7 +142,7 @@ impl<const E: usize, const S: usize, const W: usize, const T: usize> Logic for F
         if self.nan.val() {
             self.chosen.next = self.canonical_nan.val();
         }
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.valid.d.next = self.valid_i.val();
             self.tag.d.next = self.tag_i.val();
             self.result.d.next = self.chosen.val();

@@ -23,10 +23,9 @@
 //! | infinity and a number that is not zero | infinity of the product's sign |
 //! | zero and a number | zero of the product's sign |
 
-use super::{FpUnpack, LeadingZeros, Rounder, SignificandProduct, StickyShift, variant};
-use crate::blocks::{Dff, dff_setup, module};
+use super::{FpUnpack, LeadingZeros, Rounder, SignificandProduct, StickyShift};
+use crate::blocks::{ClockEnable, Dff, dff_setup, module};
 use crate::widths::{check_widths, format};
-use fp::Subnormals;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -44,6 +43,38 @@ use rust_hdl_core::prelude::*;
 ///                +-----------+
 /// ```
 /// Latency 2. `rounding_i` is coded as [`fp::Rounding`].
+///
+/// Two operations with one stall:
+///
+/// ```text
+/// cycle      0   1   2   3   4   5
+/// clk_i      ~\_/~\_/~\_/~\_/~\_/~\_/
+/// en_i       ~~~~~~~~\___/~~~~~~~~~~~
+/// valid_i    ~~~~~~~~\_______________
+/// a_i, b_i   X A X B X---------------
+/// valid_o    ________/~~~~~~~~~~~\___
+/// result_o   --------X A     X B X---
+/// ```
+///
+/// The same in the simulator:
+///
+/// ```
+/// use units::clocking::Clocked;
+///
+/// let mut unit = <units::fp_mul!(8, 24)>::default();
+/// let operands = [(1.5, 2.5), (1e30, 1e30)];
+/// let mut shown = Vec::new();
+/// for cycle in 0..5 {
+///     unit.clocking.en_i.next = cycle != 2;
+///     unit.valid_i.next = cycle < 2;
+///     let (a, b) = operands[cycle % 2];
+///     unit.a_i.next = u64::from(f32::to_bits(a)).into();
+///     unit.b_i.next = u64::from(f32::to_bits(b)).into();
+///     unit.tick();
+///     shown.push(unit.valid_o.val().then(|| f32::from_bits(unit.result_o.val().to_u32())));
+/// }
+/// assert_eq!(shown, [None, Some(3.75), Some(3.75), Some(f32::INFINITY), None]);
+/// ```
 #[derive(LogicBlock, Clone, Debug)]
 pub struct FpMul<
     const E: usize,
@@ -54,10 +85,8 @@ pub struct FpMul<
     const P: usize,
     const T: usize,
 > {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Operands are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this operation.
@@ -76,7 +105,6 @@ pub struct FpMul<
     pub result_o: Signal<Out, Bits<W>>,
 
     // Cycle 1.
-    flush: Constant<Bit>,
     bias: Constant<Bits<X>>,
     sign_index: Constant<Bits<8>>,
     a: FpUnpack<E, S, W>,
@@ -136,25 +164,19 @@ impl<
     const R: usize,
     const P: usize,
     const T: usize,
-> FpMul<E, S, W, X, R, P, T>
+> Default for FpMul<E, S, W, X, R, P, T>
 {
-    /// The unit with the given treatment of subnormals.
-    #[must_use]
-    pub fn new(subnormals: Subnormals) -> Self {
-        check_widths!(W == E + S, X == E + 2, R == S + 2, P == 2 * S);
+    fn default() -> Self {
+        check_widths!(W, X, R, P);
         let index = |i: usize| Constant::new((i as u64).into());
         module! {
-            flush = Constant::new(subnormals == Subnormals::Flush),
             // One less than the bias, which is the form that the exponent's equation needs.
             bias = Constant::new((format::<E, S>().bias() as u64 - 1).into()),
             sign_index = index(X - 1),
-            a = FpUnpack::new(subnormals),
-            b = FpUnpack::new(subnormals),
-            rounder = Rounder::new(subnormals),
             top_index = index(P - 1),
             high_offset = index(P - R),
             low_mask = Constant::new(((1u64 << (P - R)) - 1).into());
-            clk_i, en_i, valid_i, tag_i, a_i, b_i, rounding_i, valid_o, tag_o, result_o,
+            a, b, rounder, clocking, valid_i, tag_i, a_i, b_i, rounding_i, valid_o, tag_o, result_o,
             array, zeros_a, zeros_b, zeros, wide_a, wide_b, exponent_sum, top_exponent, tiny, room, shortfall,
             left_amount, right_amount, start_exponent, zero_factor, infinite_factor,
             valid_1, tag_1, rounding, nan, infinity, sign, exponent, left, right, product,
@@ -172,29 +194,25 @@ impl<
     const R: usize,
     const P: usize,
     const T: usize,
-> Default for FpMul<E, S, W, X, R, P, T>
-{
-    fn default() -> Self {
-        Self::new(Subnormals::Keep)
-    }
-}
-
-impl<
-    const E: usize,
-    const S: usize,
-    const W: usize,
-    const X: usize,
-    const R: usize,
-    const P: usize,
-    const T: usize,
 > Logic for FpMul<E, S, W, X, R, P, T>
 {
     #[hdl_gen]
     fn update(&mut self) {
         dff_setup!(
-            self, clk_i, valid_1, tag_1, rounding, nan, infinity, sign, exponent, left, right, product
+            self,
+            clocking.clk_i,
+            valid_1,
+            tag_1,
+            rounding,
+            nan,
+            infinity,
+            sign,
+            exponent,
+            left,
+            right,
+            product
         );
-        dff_setup!(self, clk_i, valid_2, tag_2, result);
+        dff_setup!(self, clocking.clk_i, valid_2, tag_2, result);
 
         // Cycle 1: multiply.
         self.a.word_i.next = self.a_i.val();
@@ -208,9 +226,6 @@ impl<
         self.zeros_a.value_i.next = self.a.significand_o.val();
         self.zeros_b.value_i.next = self.b.significand_o.val();
         self.zeros.next = self.zeros_a.count_o.val() + self.zeros_b.count_o.val();
-        if self.flush.val() {
-            self.zeros.next = 0.into();
-        }
         self.wide_a.next = bit_cast::<X, E>(self.a.exponent_o.val());
         self.wide_b.next = bit_cast::<X, E>(self.b.exponent_o.val());
         self.exponent_sum.next = self.wide_a.val() + self.wide_b.val();
@@ -230,7 +245,7 @@ impl<
             self.start_exponent.next = 1.into();
             self.right_amount.next = bit_cast::<E, X>(self.shortfall.val());
         }
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.valid_1.d.next = self.valid_i.val();
             self.tag_1.d.next = self.tag_i.val();
             self.rounding.d.next = self.rounding_i.val();
@@ -268,7 +283,7 @@ impl<
         self.rounder.nan_i.next = self.nan.q.val();
         self.rounder.infinity_i.next = self.infinity.q.val();
         self.rounder.rounding_i.next = self.rounding.q.val();
-        if self.en_i.val() {
+        if self.clocking.en_i.val() {
             self.valid_2.d.next = self.valid_1.q.val();
             self.tag_2.d.next = self.tag_1.q.val();
             self.result.d.next = self.rounder.result_o.val();
@@ -279,6 +294,6 @@ impl<
     }
 
     fn timing(&self) -> Vec<TimingInfo> {
-        named("fp_mul", &format!("{}_t{T}", variant::<E, S>(self.flush.val())))
+        named("fp_mul", &format!("{}_t{T}", format::<E, S>().systematic_name()))
     }
 }

@@ -5,7 +5,6 @@
 
 use crate::blocks::module;
 use crate::widths::{check_widths, format};
-use fp::Subnormals;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -29,7 +28,6 @@ pub(super) struct FpUnpack<const E: usize, const S: usize, const W: usize> {
     pub significand_o: Signal<Out, Bits<S>>,
     pub nan_o: Signal<Out, Bit>,
     pub infinity_o: Signal<Out, Bit>,
-    flush: Constant<Bit>,
     sign_index: Constant<Bits<8>>,
     fraction_bits: Constant<Bits<8>>,
     fraction_mask: Constant<Bits<S>>,
@@ -43,13 +41,12 @@ pub(super) struct FpUnpack<const E: usize, const S: usize, const W: usize> {
     special: Signal<Local, Bit>,
 }
 
-impl<const E: usize, const S: usize, const W: usize> FpUnpack<E, S, W> {
-    pub fn new(subnormals: Subnormals) -> Self {
-        check_widths!(W == E + S);
+impl<const E: usize, const S: usize, const W: usize> Default for FpUnpack<E, S, W> {
+    fn default() -> Self {
+        check_widths!(W);
         let format = format::<E, S>();
         let hidden_bit = u64::from(format.min_normal());
         module! {
-            flush = Constant::new(subnormals == Subnormals::Flush),
             sign_index = Constant::new((W as u64 - 1).into()),
             fraction_bits = Constant::new((S as u64 - 1).into()),
             fraction_mask = Constant::new((hidden_bit - 1).into()),
@@ -73,9 +70,6 @@ impl<const E: usize, const S: usize, const W: usize> Logic for FpUnpack<E, S, W>
         if !self.code.val().any() {
             self.exponent.next = 1.into();
             self.significand.next = self.fraction.val();
-            if self.flush.val() {
-                self.significand.next = 0.into();
-            }
         }
 
         self.sign_o.next = self.word_i.val().get_bit(self.sign_index.val().index());
@@ -86,6 +80,6 @@ impl<const E: usize, const S: usize, const W: usize> Logic for FpUnpack<E, S, W>
     }
 
     fn timing(&self) -> Vec<TimingInfo> {
-        named("fp_unpack", &super::variant::<E, S>(self.flush.val()))
+        named("fp_unpack", &format::<E, S>().systematic_name())
     }
 }

@@ -1,6 +1,6 @@
 //! Integer adder: forms the second child's offset.
 
-use crate::blocks::{Dff, dff_setup};
+use crate::blocks::{ClockEnable, Dff, dff_setup};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -17,12 +17,42 @@ use rust_hdl_core::prelude::*;
 ///            +------------+
 /// ```
 /// Latency 1. A carry out of bit `B - 1` is lost.
+///
+/// Two operations with one stall:
+///
+/// ```text
+/// cycle      0   1   2   3   4
+/// clk_i      ~\_/~\_/~\_/~\_/~\_/
+/// en_i       ~~~~~~~~\___/~~~~~~~
+/// valid_i    ~~~~~~~~\___________
+/// a_i, b_i   X A X B X-----------
+/// valid_o    ____/~~~~~~~~~~~\___
+/// sum_o      ----X A X B     X---
+/// ```
+///
+/// The same in the simulator:
+///
+/// ```
+/// use units::clocking::Clocked;
+///
+/// let mut unit = units::IntAdd::<8, 1>::default();
+/// let operands = [(20u64, 22), (255, 2)];
+/// let mut shown = Vec::new();
+/// for cycle in 0..4 {
+///     unit.clocking.en_i.next = cycle != 2;
+///     unit.valid_i.next = cycle < 2;
+///     let (a, b) = operands[cycle % 2];
+///     unit.a_i.next = a.into();
+///     unit.b_i.next = b.into();
+///     unit.tick();
+///     shown.push(unit.valid_o.val().then(|| unit.sum_o.val().to_u64()));
+/// }
+/// assert_eq!(shown, [Some(42), Some(1), Some(1), None]);
+/// ```
 #[derive(LogicBlock, Default, Clone, Debug)]
 pub struct IntAdd<const B: usize, const T: usize> {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Operands are valid.
     pub valid_i: Signal<In, Bit>,
     /// Tag of this operation.
@@ -45,8 +75,8 @@ pub struct IntAdd<const B: usize, const T: usize> {
 impl<const B: usize, const T: usize> Logic for IntAdd<B, T> {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clk_i, valid, tag, sum);
-        if self.en_i.val() {
+        dff_setup!(self, clocking.clk_i, valid, tag, sum);
+        if self.clocking.en_i.val() {
             self.valid.d.next = self.valid_i.val();
             self.tag.d.next = self.tag_i.val();
             self.sum.d.next = self.a_i.val() + self.b_i.val();

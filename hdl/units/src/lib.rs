@@ -62,9 +62,3 @@ use fp_unpack::FpUnpack;
 use leading_zeros::LeadingZeros;
 use rounder::Rounder;
 use sticky_shift::StickyShift;
-
-/// The part of a module's name that tells its format and whether it flushes subnormals.
-fn variant<const E: usize, const S: usize>(flush: bool) -> String {
-    let name = crate::widths::format::<E, S>().systematic_name();
-    if flush { format!("{name}_ftz") } else { name }
-}

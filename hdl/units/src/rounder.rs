@@ -13,12 +13,10 @@
 //! | 3 | up | inexact & positive | infinity if positive, else largest number |
 //! | 4 | nearest, ties away | round | infinity |
 //!
-//! Codes 5 to 7 are reserved and round toward zero. With flushed subnormals, a non-zero result without its leading bit
-//! becomes the smallest normal number if the direction points away from zero, else zero.
+//! Codes 5 to 7 are reserved and round toward zero.
 
 use crate::blocks::module;
 use crate::widths::{check_widths, format};
-use fp::Subnormals;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -44,12 +42,10 @@ pub(super) struct Rounder<const E: usize, const S: usize, const W: usize, const 
     pub infinity_i: Signal<In, Bit>,
     pub rounding_i: Signal<In, Bits<3>>,
     pub result_o: Signal<Out, Bits<W>>,
-    flush: Constant<Bit>,
     leading_index: Constant<Bits<8>>,
     fraction_mask: Constant<Bits<R>>,
     fraction_bits: Constant<Bits<8>>,
     special_exponent: Constant<Bits<X>>,
-    min_normal: Constant<Bits<W>>,
     max_finite: Constant<Bits<W>>,
     infinity: Constant<Bits<W>>,
     canonical_nan: Constant<Bits<W>>,
@@ -67,18 +63,18 @@ pub(super) struct Rounder<const E: usize, const S: usize, const W: usize, const 
     word: Signal<Local, Bits<W>>,
 }
 
-impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: usize> Rounder<E, S, W, X, R> {
-    pub fn new(subnormals: Subnormals) -> Self {
-        check_widths!(W == E + S, X == E + 2, R == S + 2);
+impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: usize> Default
+    for Rounder<E, S, W, X, R>
+{
+    fn default() -> Self {
+        check_widths!(W, X, R);
         let format = format::<E, S>();
         let word = |bits: u32| Constant::new(u64::from(bits).into());
         module! {
-            flush = Constant::new(subnormals == Subnormals::Flush),
             leading_index = Constant::new((R as u64 - 1).into()),
             fraction_mask = Constant::new((u64::from(format.min_normal()) - 1).into()),
             fraction_bits = Constant::new(u64::from(format.fraction_bits()).into()),
             special_exponent = Constant::new(((1u64 << E) - 1).into()),
-            min_normal = word(format.min_normal()),
             max_finite = word(format.max_finite()),
             infinity = word(format.infinity()),
             canonical_nan = word(format.canonical_nan()),
@@ -126,12 +122,6 @@ impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: us
         // Results outside the normal range.
         self.overflow.next = (self.exponent_i.val() >= self.special_exponent.val())
             | (self.magnitude.val() == self.infinity.val());
-        if self.flush.val() & !self.leading.val() {
-            self.magnitude.next = 0.into();
-            if self.away.val() & self.significand_i.val().any() {
-                self.magnitude.next = self.min_normal.val();
-            }
-        }
         if self.overflow.val() {
             self.magnitude.next = self.max_finite.val();
             if self.to_infinity.val() {
@@ -152,6 +142,6 @@ impl<const E: usize, const S: usize, const W: usize, const X: usize, const R: us
     }
 
     fn timing(&self) -> Vec<TimingInfo> {
-        named("rounder", &super::variant::<E, S>(self.flush.val()))
+        named("rounder", &format::<E, S>().systematic_name())
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! A leaf module of its own, so that a proof can treat it as a black box and synthesis can choose its multiplier.
 
-use crate::widths::check_widths;
+use crate::widths::derived_width;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -70,7 +70,7 @@ impl<const S: usize, const P: usize> Logic for SignificandProduct<S, P> {
     }
 
     fn timing(&self) -> Vec<TimingInfo> {
-        check_widths!(P == 2 * S, S <= 24);
+        const { assert!(P == derived_width!(P, 0, S) && S <= 24) };
         named("significand_product", &format!("w{S}"))
     }
 }

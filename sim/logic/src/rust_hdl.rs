@@ -45,13 +45,13 @@ pub trait Ports: Block + Default {
 }
 
 macro_rules! ports {
-    ($($module:ty: [$($input:ident),*] -> [$($output:ident),*];)*) => { $(
+    ($($module:ty: [$($($input:ident).+),*] -> [$($($output:ident).+),*];)*) => { $(
         impl Ports for $module {
             fn drive(&mut self, input: usize, value: u128) {
                 let mut position = 0;
                 $(
                     if input == position {
-                        self.$input.next = Value::from_integer(value);
+                        self.$($input).+.next = Value::from_integer(value);
                     }
                     position += 1;
                 )*
@@ -62,7 +62,7 @@ macro_rules! ports {
                 let mut position = 0;
                 $(
                     if output == position {
-                        return Value::to_integer(self.$output.val());
+                        return Value::to_integer(self.$($output).+.val());
                     }
                     position += 1;
                 )*
@@ -70,25 +70,25 @@ macro_rules! ports {
             }
 
             fn set_clock(&mut self, level: bool) {
-                self.clk_i.next = Clock { clk: level };
+                self.clocking.clk_i.next = Clock { clk: level };
             }
         }
     )* };
 }
 
 ports! {
-    binary32::FpAdd: [en_i, valid_i, tag_i, a_i, b_i, subtract_i, rounding_i] -> [valid_o, tag_o, result_o];
-    binary32::FpMul: [en_i, valid_i, tag_i, a_i, b_i, rounding_i] -> [valid_o, tag_o, result_o];
-    binary32::FpMinMax: [en_i, valid_i, tag_i, a_i, b_i, maximum_i, propagate_nan_i] -> [valid_o, tag_o, result_o];
-    binary32::FpCmp: [en_i, valid_i, tag_i, a_i, b_i] -> [valid_o, tag_o, lt_o, le_o, eq_o];
+    binary32::FpAdd: [clocking.en_i, valid_i, tag_i, a_i, b_i, subtract_i, rounding_i] -> [valid_o, tag_o, result_o];
+    binary32::FpMul: [clocking.en_i, valid_i, tag_i, a_i, b_i, rounding_i] -> [valid_o, tag_o, result_o];
+    binary32::FpMinMax: [clocking.en_i, valid_i, tag_i, a_i, b_i, maximum_i, propagate_nan_i] -> [valid_o, tag_o, result_o];
+    binary32::FpCmp: [clocking.en_i, valid_i, tag_i, a_i, b_i] -> [valid_o, tag_o, lt_o, le_o, eq_o];
     binary32::DualSplitPipeline: [
-        en_i, valid_i, tag_i, header_i, plane_0_i, plane_1_i, origin_x_i, origin_y_i, origin_z_i, inv_entry_x_i, inv_entry_y_i,
-        inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i, t_min_i, t_max_i
-    ] -> [valid_o, tag_o, code_o, near_offset_o, near_t_min_o, near_t_max_o, far_offset_o, far_t_min_o, far_t_max_o];
+        clocking.en_i, valid_i, tag_i, node.header_i, node.plane_0_i, node.plane_1_i, ray.origin.origin_x_i, ray.origin.origin_y_i, ray.origin.origin_z_i, ray.reciprocals.inv_entry_x_i, ray.reciprocals.inv_entry_y_i,
+        ray.reciprocals.inv_entry_z_i, ray.reciprocals.inv_exit_x_i, ray.reciprocals.inv_exit_y_i, ray.reciprocals.inv_exit_z_i, ray.interval.t_min_i, ray.interval.t_max_i
+    ] -> [valid_o, tag_o, step.code_o, step.near_offset_o, step.near_t_min_o, step.near_t_max_o, step.far_offset_o, step.far_t_min_o, step.far_t_max_o];
     binary32::RayBoxPipeline: [
-        en_i, valid_i, tag_i, box_min_x_i, box_min_y_i, box_min_z_i, box_max_x_i, box_max_y_i, box_max_z_i, origin_x_i,
-        origin_y_i, origin_z_i, inv_entry_x_i, inv_entry_y_i, inv_entry_z_i, inv_exit_x_i, inv_exit_y_i, inv_exit_z_i,
-        t_min_i, t_max_i
+        clocking.en_i, valid_i, tag_i, bounds.box_min_x_i, bounds.box_min_y_i, bounds.box_min_z_i, bounds.box_max_x_i, bounds.box_max_y_i, bounds.box_max_z_i, ray.origin.origin_x_i,
+        ray.origin.origin_y_i, ray.origin.origin_z_i, ray.reciprocals.inv_entry_x_i, ray.reciprocals.inv_entry_y_i, ray.reciprocals.inv_entry_z_i, ray.reciprocals.inv_exit_x_i, ray.reciprocals.inv_exit_y_i, ray.reciprocals.inv_exit_z_i,
+        ray.interval.t_min_i, ray.interval.t_max_i
     ] -> [valid_o, tag_o, hit_o, t_entry_o];
 }
 

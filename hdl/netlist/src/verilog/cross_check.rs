@@ -7,11 +7,14 @@
 //! kernel. Other products are mapped by [`MULTIPLICATION`], because yosys' own choice of adder tree depends on names,
 //! and ABC would meet two different trees.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use rust_hdl_core::prelude::{Block, ModuleDefines};
 
 use super::identifier::{CLOCK, Namespace, plain, port_names};
+use crate::probe::read;
+use crate::signals::field_name;
 use crate::{Design, Module};
 
 /// How both sides multiply: the file `multiply.v` that [`equivalence_script`] reads.
@@ -24,10 +27,16 @@ pub fn reference_verilog(module: &dyn Block, name: &str) -> String {
     defines.defines()
 }
 
-/// A yosys script that writes `gold.aig` from `reference`, the file of [`reference_verilog`], and `gate.aig` from `ours`,
+/// A yosys script for `module`, elaborated as `design`, that writes `gold.aig` from `reference`, the file of [`reference_verilog`], and `gate.aig` from `ours`,
 /// the file of [`super::text`]. Instances of the kinds in `black_boxes` are matched by name and not looked into.
 #[must_use]
-pub fn equivalence_script(design: &Design, ours: &str, reference: &str, black_boxes: &[&str]) -> String {
+pub fn equivalence_script(
+    module: &dyn Block,
+    design: &Design,
+    ours: &str,
+    reference: &str,
+    black_boxes: &[&str],
+) -> String {
     let top = design.top();
     let name = &top.name;
     let mut boxes = Vec::new();
@@ -39,13 +48,13 @@ pub fn equivalence_script(design: &Design, ours: &str, reference: &str, black_bo
         let _ = writeln!(text, "blackbox {}", instance.reference_module);
     }
     flatten(&mut text, name, boxes.iter().map(|instance| &instance.reference_path));
-    let mut namespace = Namespace::default();
-    let ports = port_names(top, &mut namespace);
+    let ports = port_names(top, &mut Namespace::default());
+    let signals = signals_of_ports(module, name);
     let sources = top.inputs.iter().chain(top.outputs.iter().map(|(port, _)| port));
     let clock = top.clock.iter().map(|clock| (clock.as_str(), CLOCK));
     let names = sources.zip(ports.inputs.iter().chain(&ports.outputs));
     for (theirs, ours) in clock.chain(names.map(|(port, ours)| (port.name.as_str(), ours.as_str()))) {
-        rename(&mut text, theirs, ours);
+        rename(&mut text, signals.get(theirs).map_or(theirs, String::as_str), ours);
     }
     text.push_str(&write_graph("gold.aig"));
 
@@ -62,6 +71,12 @@ pub fn equivalence_script(design: &Design, ours: &str, reference: &str, black_bo
     }
     text.push_str(&write_graph("gate.aig"));
     text
+}
+
+/// The signal of each port, where that is the field of an interface: the reference has its whole name.
+fn signals_of_ports(module: &dyn Block, name: &str) -> BTreeMap<String, String> {
+    let atoms = read(module, name).map(|scope| scope.atoms).unwrap_or_default();
+    atoms.into_iter().map(|atom| (field_name(&atom.name), atom.name)).collect()
 }
 
 /// Dissolves the hierarchy, turns the ports of black boxes into ports of the top, and goes into it.

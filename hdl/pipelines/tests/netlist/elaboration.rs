@@ -35,50 +35,60 @@ fn signed_operations() {
 
 driven!(
     binary32::FpAdd,
-    (clk_i),
-    [en_i, valid_i, tag_i, a_i, b_i, subtract_i, rounding_i],
+    (clocking.clk_i),
+    [clocking.en_i, valid_i, tag_i, a_i, b_i, subtract_i, rounding_i],
     [valid_o, tag_o, result_o]
 );
-driven!(binary32::FpMul, (clk_i), [en_i, valid_i, tag_i, a_i, b_i, rounding_i], [valid_o, tag_o, result_o]);
+driven!(
+    binary32::FpMul,
+    (clocking.clk_i),
+    [clocking.en_i, valid_i, tag_i, a_i, b_i, rounding_i],
+    [valid_o, tag_o, result_o]
+);
 driven!(
     binary32::FpMinMax,
-    (clk_i),
-    [en_i, valid_i, tag_i, a_i, b_i, maximum_i, propagate_nan_i],
+    (clocking.clk_i),
+    [clocking.en_i, valid_i, tag_i, a_i, b_i, maximum_i, propagate_nan_i],
     [valid_o, tag_o, result_o]
 );
-driven!(binary32::FpCmp, (clk_i), [en_i, valid_i, tag_i, a_i, b_i], [valid_o, tag_o, lt_o, le_o, eq_o]);
+driven!(
+    binary32::FpCmp,
+    (clocking.clk_i),
+    [clocking.en_i, valid_i, tag_i, a_i, b_i],
+    [valid_o, tag_o, lt_o, le_o, eq_o]
+);
 driven!(
     binary32::DualSplitPipeline,
-    (clk_i),
+    (clocking.clk_i),
     [
-        en_i,
+        clocking.en_i,
         valid_i,
         tag_i,
-        header_i,
-        plane_0_i,
-        plane_1_i,
-        origin_x_i,
-        origin_y_i,
-        origin_z_i,
-        inv_entry_x_i,
-        inv_entry_y_i,
-        inv_entry_z_i,
-        inv_exit_x_i,
-        inv_exit_y_i,
-        inv_exit_z_i,
-        t_min_i,
-        t_max_i,
+        node.header_i,
+        node.plane_0_i,
+        node.plane_1_i,
+        ray.origin.origin_x_i,
+        ray.origin.origin_y_i,
+        ray.origin.origin_z_i,
+        ray.reciprocals.inv_entry_x_i,
+        ray.reciprocals.inv_entry_y_i,
+        ray.reciprocals.inv_entry_z_i,
+        ray.reciprocals.inv_exit_x_i,
+        ray.reciprocals.inv_exit_y_i,
+        ray.reciprocals.inv_exit_z_i,
+        ray.interval.t_min_i,
+        ray.interval.t_max_i,
     ],
     [
         valid_o,
         tag_o,
-        code_o,
-        near_offset_o,
-        near_t_min_o,
-        near_t_max_o,
-        far_offset_o,
-        far_t_min_o,
-        far_t_max_o,
+        step.code_o,
+        step.near_offset_o,
+        step.near_t_min_o,
+        step.near_t_max_o,
+        step.far_offset_o,
+        step.far_t_min_o,
+        step.far_t_max_o,
     ]
 );
 simulates_alike! {

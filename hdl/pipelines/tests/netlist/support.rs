@@ -46,18 +46,18 @@ pub trait Driven: Block + Default {
 
 /// Implements [`Driven`] for the listed ports.
 macro_rules! driven {
-    ($module:ty, ($($clock:ident)?), [$($input:ident),* $(,)?], [$($output:ident),* $(,)?]) => {
+    ($module:ty, ($($($clock:ident).+)?), [$($($input:ident).+),* $(,)?], [$($($output:ident).+),* $(,)?]) => {
         impl crate::support::Driven for $module {
             fn drive(&mut self, inputs: &[u128]) {
                 let mut values = inputs.iter().copied();
-                $(self.$input.next = crate::support::Value::from_integer(values.next().unwrap());)*
+                $(self.$($input).+.next = crate::support::Value::from_integer(values.next().unwrap());)*
                 assert_eq!(values.next(), None);
             }
             fn sample(&self) -> Vec<u128> {
-                vec![$(crate::support::Value::to_integer(self.$output.val())),*]
+                vec![$(crate::support::Value::to_integer(self.$($output).+.val())),*]
             }
             fn set_clock(&mut self, _level: bool) {
-                $(self.$clock.next = Clock { clk: _level };)?
+                $(self.$($clock).+.next = Clock { clk: _level };)?
             }
         }
     };

@@ -81,7 +81,8 @@ fn equivalence(ours: &str, module: &dyn Block, design: &Design, boxes: &[&str]) 
     write("ours.v", ours);
     write("multiply.v", cross_check::MULTIPLICATION);
     write("reference.v", &cross_check::reference_verilog(module, &design.top().name));
-    write("equivalence.ys", &cross_check::equivalence_script(design, "ours.v", "reference.v", boxes));
+    let script = cross_check::equivalence_script(module, design, "ours.v", "reference.v", boxes);
+    write("equivalence.ys", &script);
     let is_sequential = design.modules.iter().any(|module| !module.registers.is_empty());
     prove(folder.path(), "equivalence.ys", if is_sequential { "dsec" } else { "cec" })
 }

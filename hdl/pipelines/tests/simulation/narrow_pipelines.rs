@@ -1,11 +1,12 @@
 //! The dual-split pipeline in narrower formats against golden's integer arithmetic: exhaustive operands are
 //! out of reach, but one source serves all formats, and these tests instantiate it where every width is different.
 
-use crate::support::harness::{LATENCY_CYCLES, TAG_BITS, drive_ray};
+use crate::support::harness::{TAG_BITS, drive_ray, latency_cycles};
 use crate::support::steps::{NodeCase, Outcome, RayWords, Slot};
 use fp::operands::Operands;
 use fp::{Arithmetic, Format, NanMode, Rounding};
 use golden::dst::header::{AXIS, CARVE, LEAF, OFFSET, SINGLE, SIZE, dual_axes};
+use pipelines::catalogue::Top;
 use pipelines::dual_split;
 use std::collections::VecDeque;
 use units::clocking::Clocked;
@@ -83,33 +84,34 @@ macro_rules! narrow {
             let arithmetic = Arithmetic::new(Format::new($exponent_bits, $significand_bits).unwrap());
             let mut stream = Operands::new(arithmetic.format, 31);
             let mut pipeline = <dual_split!($exponent_bits, $significand_bits, 2, TAG_BITS)>::default();
-            pipeline.en_i.next = true;
+            pipeline.clocking.en_i.next = true;
             pipeline.valid_i.next = true;
+            let latency = latency_cycles(Top::DualSplit);
             let mut in_flight = VecDeque::new();
             let mut codes = [0; 4];
             for _ in 0..4_000 {
                 let case = draw(&mut stream);
-                pipeline.header_i.next = u64::from(case.words[0]).into();
-                pipeline.plane_0_i.next = u64::from(case.words[1]).into();
-                pipeline.plane_1_i.next = u64::from(case.words[2]).into();
+                pipeline.node.header_i.next = u64::from(case.words[0]).into();
+                pipeline.node.plane_0_i.next = u64::from(case.words[1]).into();
+                pipeline.node.plane_1_i.next = u64::from(case.words[2]).into();
                 drive_ray!(pipeline, case.ray);
                 pipeline.tick();
                 in_flight.push_back(case);
-                if in_flight.len() < LATENCY_CYCLES {
+                if in_flight.len() < latency {
                     continue;
                 }
                 let case = in_flight.pop_front().expect("a node is in flight");
                 let (code, near, far) = step(&arithmetic, &case);
-                assert_eq!(pipeline.code_o.val().to_u8(), code, "{case:x?}");
+                assert_eq!(pipeline.step.code_o.val().to_u8(), code, "{case:x?}");
                 let near_out = (
-                    pipeline.near_offset_o.val().to_u32(),
-                    pipeline.near_t_min_o.val().to_u32(),
-                    pipeline.near_t_max_o.val().to_u32(),
+                    pipeline.step.near_offset_o.val().to_u32(),
+                    pipeline.step.near_t_min_o.val().to_u32(),
+                    pipeline.step.near_t_max_o.val().to_u32(),
                 );
                 let far_out = (
-                    pipeline.far_offset_o.val().to_u32(),
-                    pipeline.far_t_min_o.val().to_u32(),
-                    pipeline.far_t_max_o.val().to_u32(),
+                    pipeline.step.far_offset_o.val().to_u32(),
+                    pipeline.step.far_t_min_o.val().to_u32(),
+                    pipeline.step.far_t_max_o.val().to_u32(),
                 );
                 assert!(near.is_none_or(|slot| slot == near_out), "{case:x?}: {near:x?} {near_out:x?}");
                 assert!(far.is_none_or(|slot| slot == far_out), "{case:x?}: {far:x?} {far_out:x?}");

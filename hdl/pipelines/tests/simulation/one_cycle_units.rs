@@ -3,7 +3,7 @@
 use fp::operands::{Operands, patterns};
 use fp::{Arithmetic, Format, NanMode};
 use units::clocking::Clocked;
-use units::{FpCmp, FpMinMax, IntAdd};
+use units::{IntAdd, fp_cmp, fp_min_max};
 
 /// Every pattern with every pattern, then `random` pairs.
 fn pairs(format: Format, random: usize) -> Vec<(u32, u32)> {
@@ -14,9 +14,9 @@ fn pairs(format: Format, random: usize) -> Vec<(u32, u32)> {
 }
 
 fn check_min_max<const E: usize, const S: usize, const W: usize>(random: usize) {
-    let mut unit = FpMinMax::<E, S, W, 1>::default();
+    let mut unit = <fp_min_max!()>::default();
     let golden = Arithmetic::new(Format::new(E as u32, S as u32).unwrap());
-    unit.en_i.next = true;
+    unit.clocking.en_i.next = true;
     for (a, b) in pairs(golden.format, random) {
         for (maximum, nan_mode) in
             [false, true].into_iter().flat_map(|m| [NanMode::Number, NanMode::Propagate].map(|n| (m, n)))
@@ -37,9 +37,9 @@ fn check_min_max<const E: usize, const S: usize, const W: usize>(random: usize) 
 }
 
 fn check_cmp<const E: usize, const S: usize, const W: usize>(random: usize) {
-    let mut unit = FpCmp::<E, S, W, 1>::default();
+    let mut unit = <fp_cmp!()>::default();
     let golden = Arithmetic::new(Format::new(E as u32, S as u32).unwrap());
-    unit.en_i.next = true;
+    unit.clocking.en_i.next = true;
     for (a, b) in pairs(golden.format, random) {
         unit.a_i.next = u64::from(a).into();
         unit.b_i.next = u64::from(b).into();
@@ -80,7 +80,7 @@ fn cmp_equals_golden_native_and_softfloat() {
 fn int_add_wraps() {
     let mut unit = IntAdd::<32, 1>::default();
     let mut stream = Operands::new(Format::BINARY32, 3);
-    unit.en_i.next = true;
+    unit.clocking.en_i.next = true;
     for _ in 0..10_000 {
         let (a, b) = (stream.bits() as u32, stream.bits() as u32);
         unit.a_i.next = u64::from(a).into();
@@ -99,7 +99,7 @@ fn valid_and_tag_travel_and_a_stall_holds_them() {
         let bits = stream.bits();
         let (en, valid) = (bits & 1 == 1, bits & 2 == 2);
         let (tag, a, b) = (bits >> 8 & 15, bits >> 16 & 255, bits >> 24 & 255);
-        unit.en_i.next = en;
+        unit.clocking.en_i.next = en;
         unit.valid_i.next = valid;
         unit.tag_i.next = tag.into();
         unit.a_i.next = a.into();

@@ -1,17 +1,18 @@
 //! Both pipelines in rust-hdl's simulator against golden: back to back, with bubbles and with stalls.
 
-use crate::support::harness::{Cycle, Pipeline, TAG_BITS, cycles, drive_ray, handshake, run};
+use crate::support::harness::{Cycle, Pipeline, TAG_BITS, cycles, drive_box, drive_ray, handshake, run};
 use crate::support::steps::{BoxCase, Cases, NodeCase, Outcome, RayWords};
 use fp::Format;
 use fp::operands::patterns;
-use pipelines::{DualSplitPipeline, RayBoxPipeline};
+use pipelines::catalogue::Top;
 use pipelines::{dual_split, ray_box};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use std::fmt::Debug;
 use units::clocking::Clocked;
 
-impl<const C: usize> Pipeline for DualSplitPipeline<8, 24, 32, 10, 26, 28, 48, C, TAG_BITS> {
+impl<const C: usize> Pipeline for dual_split!(8, 24, C, TAG_BITS) {
+    const TOP: Top = Top::DualSplit;
     type Case = NodeCase;
     type Outcome = Outcome;
     fn draw(cases: &mut Cases) -> NodeCase {
@@ -21,30 +22,31 @@ impl<const C: usize> Pipeline for DualSplitPipeline<8, 24, 32, 10, 26, 28, 48, C
         case.golden()
     }
     fn drive(&mut self, case: &NodeCase) {
-        self.header_i.next = u64::from(case.words[0]).into();
-        self.plane_0_i.next = u64::from(case.words[1]).into();
-        self.plane_1_i.next = u64::from(case.words[2]).into();
+        self.node.header_i.next = u64::from(case.words[0]).into();
+        self.node.plane_0_i.next = u64::from(case.words[1]).into();
+        self.node.plane_1_i.next = u64::from(case.words[2]).into();
         drive_ray!(self, case.ray);
     }
     handshake!();
     fn output(&self) -> Option<(u64, Outcome)> {
-        let code = self.code_o.val().to_u8();
+        let code = self.step.code_o.val().to_u8();
         let near = (
-            self.near_offset_o.val().to_u32(),
-            self.near_t_min_o.val().to_u32(),
-            self.near_t_max_o.val().to_u32(),
+            self.step.near_offset_o.val().to_u32(),
+            self.step.near_t_min_o.val().to_u32(),
+            self.step.near_t_max_o.val().to_u32(),
         );
         let far = (
-            self.far_offset_o.val().to_u32(),
-            self.far_t_min_o.val().to_u32(),
-            self.far_t_max_o.val().to_u32(),
+            self.step.far_offset_o.val().to_u32(),
+            self.step.far_t_min_o.val().to_u32(),
+            self.step.far_t_max_o.val().to_u32(),
         );
         let outcome = (code, (code != 0).then_some(near), (code == 2).then_some(far));
         self.valid_o.val().then(|| (self.tag_o.val().to_u64(), outcome))
     }
 }
 
-impl<const C: usize> Pipeline for RayBoxPipeline<8, 24, 32, 10, 26, 28, 48, C, TAG_BITS> {
+impl<const C: usize> Pipeline for ray_box!(8, 24, C, TAG_BITS) {
+    const TOP: Top = Top::RayBox;
     type Case = BoxCase;
     type Outcome = (bool, Option<u32>);
     fn draw(cases: &mut Cases) -> BoxCase {
@@ -54,9 +56,7 @@ impl<const C: usize> Pipeline for RayBoxPipeline<8, 24, 32, 10, 26, 28, 48, C, T
         case.golden()
     }
     fn drive(&mut self, case: &BoxCase) {
-        let word = |i: usize| u64::from(case.planes[i]).into();
-        (self.box_min_x_i.next, self.box_min_y_i.next, self.box_min_z_i.next) = (word(0), word(1), word(2));
-        (self.box_max_x_i.next, self.box_max_y_i.next, self.box_max_z_i.next) = (word(3), word(4), word(5));
+        drive_box!(self.bounds, case.planes);
         drive_ray!(self, case.ray);
     }
     handshake!();

@@ -1,9 +1,10 @@
 //! The shared units in each of their modes, and the parallel ray-box forms, in rust-hdl's simulator.
 
-use crate::support::harness::{Pipeline, TAG_BITS, cycles, drive_ray, handshake, run};
+use crate::support::harness::{Pipeline, TAG_BITS, cycles, drive_box, drive_ray, handshake, run};
 use crate::support::steps::{BoxCase, Cases, NodeCase, Outcome};
 use fp::operands::Operands;
 use fp::{Arithmetic, Format, Rounding};
+use pipelines::catalogue::Top;
 use pipelines::{ray_box_parallel, shared_units};
 use units::clocking::Clocked;
 
@@ -29,7 +30,7 @@ macro_rules! pass_handshake {
             self.0.tick();
         }
         fn handshake(&mut self, enable: bool, valid: bool, tag: u64) {
-            self.0.en_i.next = enable;
+            self.0.clocking.en_i.next = enable;
             self.0.valid_i.next = valid;
             self.0.tag_i.next = tag.into();
         }
@@ -37,6 +38,7 @@ macro_rules! pass_handshake {
 }
 
 impl Pipeline for Mode<DUAL_SPLIT> {
+    const TOP: Top = Top::DualSplit;
     type Case = NodeCase;
     type Outcome = Outcome;
     fn draw(cases: &mut Cases) -> NodeCase {
@@ -47,23 +49,24 @@ impl Pipeline for Mode<DUAL_SPLIT> {
     }
     fn drive(&mut self, case: &NodeCase) {
         let word = |i: usize| u64::from(case.words[i]).into();
-        (self.0.header_i.next, self.0.plane_0_i.next, self.0.plane_1_i.next) = (word(0), word(1), word(2));
+        (self.0.node.header_i.next, self.0.node.plane_0_i.next, self.0.node.plane_1_i.next) =
+            (word(0), word(1), word(2));
         drive_ray!(self.0, case.ray);
     }
     pass_handshake!();
     fn output(&self) -> Option<(u64, Outcome)> {
         let unit = &self.0;
-        let code = unit.code_o.val().to_u8();
+        let code = unit.step.code_o.val().to_u8();
         let slot = |offset: u32, t_min: u32, t_max: u32| (offset, t_min, t_max);
         let near = slot(
-            unit.near_offset_o.val().to_u32(),
-            unit.near_t_min_o.val().to_u32(),
-            unit.near_t_max_o.val().to_u32(),
+            unit.step.near_offset_o.val().to_u32(),
+            unit.step.near_t_min_o.val().to_u32(),
+            unit.step.near_t_max_o.val().to_u32(),
         );
         let far = slot(
-            unit.far_offset_o.val().to_u32(),
-            unit.far_t_min_o.val().to_u32(),
-            unit.far_t_max_o.val().to_u32(),
+            unit.step.far_offset_o.val().to_u32(),
+            unit.step.far_t_min_o.val().to_u32(),
+            unit.step.far_t_max_o.val().to_u32(),
         );
         assert!(!unit.box_valid_o.val());
         let outcome = (code, (code != 0).then_some(near), (code == 2).then_some(far));
@@ -71,17 +74,8 @@ impl Pipeline for Mode<DUAL_SPLIT> {
     }
 }
 
-macro_rules! drive_box {
-    ($unit:expr, $planes:expr) => {
-        let word = |i: usize| u64::from($planes[i]).into();
-        ($unit.box_min_x_i.next, $unit.box_min_y_i.next, $unit.box_min_z_i.next) =
-            (word(0), word(1), word(2));
-        ($unit.box_max_x_i.next, $unit.box_max_y_i.next, $unit.box_max_z_i.next) =
-            (word(3), word(4), word(5));
-    };
-}
-
 impl Pipeline for Mode<RAY_BOX> {
+    const TOP: Top = Top::RayBox;
     type Case = BoxCase;
     type Outcome = (bool, Option<u32>);
     fn draw(cases: &mut Cases) -> BoxCase {
@@ -91,7 +85,7 @@ impl Pipeline for Mode<RAY_BOX> {
         case.golden()
     }
     fn drive(&mut self, case: &BoxCase) {
-        drive_box!(self.0, case.planes);
+        drive_box!(self.0.bounds, case.planes);
         drive_ray!(self.0, case.ray);
     }
     pass_handshake!();
@@ -114,7 +108,7 @@ fn threads_get_free_units(mode: u64, first_free: usize) {
     let golden = Arithmetic::new(Format::BINARY32);
     let mut stream = Operands::new(Format::BINARY32, 23);
     let mut units = Shared::default();
-    units.en_i.next = true;
+    units.clocking.en_i.next = true;
     units.mode_i.next = mode.into();
     let mut previous: Option<[(u32, u32, bool); 8]> = None;
     for cycle in 0..300u64 {
@@ -159,6 +153,7 @@ macro_rules! parallel {
         type $name = ray_box_parallel!(8, 24, $lanes, 2, TAG_BITS);
 
         impl Pipeline for $name {
+            const TOP: Top = Top::RayBox;
             type Case = [BoxCase; $lanes];
             type Outcome = [(bool, Option<u32>); $lanes];
             fn draw(cases: &mut Cases) -> Self::Case {
@@ -170,13 +165,7 @@ macro_rules! parallel {
             }
             fn drive(&mut self, case: &Self::Case) {
                 for (i, BoxCase { planes, .. }) in case.iter().enumerate() {
-                    let word = |plane: usize| u64::from(planes[plane]).into();
-                    self.box_min_x_i[i].next = word(0);
-                    self.box_min_y_i[i].next = word(1);
-                    self.box_min_z_i[i].next = word(2);
-                    self.box_max_x_i[i].next = word(3);
-                    self.box_max_y_i[i].next = word(4);
-                    self.box_max_z_i[i].next = word(5);
+                    drive_box!(self.bounds[i], planes);
                 }
                 drive_ray!(self, case[0].ray);
             }

@@ -47,7 +47,8 @@ fn units_equal_testfloat() {
     let Some(lines) = lines() else { return };
     let (mut add, mut subtract, mut mul, mut cmp) =
         (FpAdd::default(), FpAdd::default(), FpMul::default(), FpCmp::default());
-    (add.en_i.next, subtract.en_i.next, mul.en_i.next, cmp.en_i.next) = (true, true, true, true);
+    (add.clocking.en_i.next, subtract.clocking.en_i.next, mul.clocking.en_i.next, cmp.clocking.en_i.next) =
+        (true, true, true, true);
     subtract.subtract_i.next = true;
     let mut previous = None;
     for line in lines {

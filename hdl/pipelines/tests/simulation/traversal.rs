@@ -2,7 +2,7 @@
 //! built-in scenes, several rays in flight, one node per cycle.
 
 use crate::pipelines::DualSplit;
-use crate::support::harness::{LATENCY_CYCLES, Pipeline};
+use crate::support::harness::{Pipeline, latency_cycles};
 use crate::support::steps::{NodeCase, RayWords};
 use fp::Format;
 use fp::operands::Operands;
@@ -62,7 +62,7 @@ fn traverse(dst: &Dst, rays: &[TraversalRay]) -> (Vec<Vec<Leaf>>, usize) {
         }
     }
     let mut leaves = vec![Vec::new(); rays.len()];
-    let mut in_flight = VecDeque::from([None; LATENCY_CYCLES]);
+    let mut in_flight = VecDeque::from(vec![None; latency_cycles(DualSplit::TOP)]);
     let mut visits = 0;
     while !waiting.is_empty() || in_flight.iter().any(Option::is_some) {
         let next = waiting.pop();

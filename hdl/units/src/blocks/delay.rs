@@ -1,6 +1,6 @@
 //! Delay line: a value that has to wait for a unit's result.
 
-use super::{Dff, module};
+use super::{ClockEnable, Dff, module};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -16,10 +16,8 @@ use rust_hdl_core::prelude::*;
 /// Latency `L` enabled cycles, `L >= 1`.
 #[derive(LogicBlock, Clone, Debug)]
 pub struct Delay<const B: usize, const L: usize> {
-    /// Clock.
-    pub clk_i: Signal<In, Clock>,
-    /// Enable; low holds.
-    pub en_i: Signal<In, Bit>,
+    /// Clock and enable.
+    pub clocking: ClockEnable,
     /// Input.
     pub d_i: Signal<In, Bits<B>>,
     /// Input of `L` enabled cycles ago.
@@ -31,7 +29,7 @@ pub struct Delay<const B: usize, const L: usize> {
 impl<const B: usize, const L: usize> Default for Delay<B, L> {
     fn default() -> Self {
         const { assert!(L >= 1) };
-        module! { stage = std::array::from_fn(|_| Dff::default()); clk_i, en_i, d_i, q_o, previous }
+        module! { stage = std::array::from_fn(|_| Dff::default()); clocking, d_i, q_o, previous }
     }
 }
 
@@ -40,9 +38,9 @@ impl<const B: usize, const L: usize> Logic for Delay<B, L> {
     fn update(&mut self) {
         self.previous.next = self.d_i.val();
         for i in 0..L {
-            self.stage[i].clock.next = self.clk_i.val();
+            self.stage[i].clock.next = self.clocking.clk_i.val();
             self.stage[i].d.next = self.stage[i].q.val();
-            if self.en_i.val() {
+            if self.clocking.en_i.val() {
                 self.stage[i].d.next = self.previous.val();
             }
             self.previous.next = self.stage[i].q.val();

@@ -47,12 +47,12 @@ impl<T: Synth> Logic for Dff<T> {
 
 /// Clocks the listed registers and lets each hold its value, until a later assignment says otherwise.
 ///
-/// The name and the form are those that `rust-hdl`'s kernel translator knows.
+/// The name and the form are those that `rust-hdl`'s kernel translator knows; the clock is a bundle's.
 #[macro_export]
 macro_rules! dff_setup {
-    ($self:ident, $clock:ident, $($register:ident),+ $(,)?) => {
+    ($self:ident, $bundle:ident.$clock:ident, $($register:ident),+ $(,)?) => {
         $(
-            $self.$register.clock.next = $self.$clock.val();
+            $self.$register.clock.next = $self.$bundle.$clock.val();
             $self.$register.d.next = $self.$register.q.val();
         )+
     };

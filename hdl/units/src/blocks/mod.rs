@@ -1,9 +1,11 @@
-//! Building blocks without arithmetic meaning: register, delay line.
+//! Building blocks without arithmetic meaning: the ports of a clocked module, register, delay line.
 
+mod clock_enable;
 mod delay;
 mod dff;
 
 pub use crate::{dff_setup, module};
+pub use clock_enable::ClockEnable;
 pub use delay::Delay;
 pub use dff::Dff;
 

@@ -1,7 +1,7 @@
 //! Operations of the rounding units and what every oracle says of them.
 
 use fp::operands::{Operands, patterns};
-use fp::{Arithmetic, Format, Rounding, Subnormals};
+use fp::{Arithmetic, Format, Rounding};
 use rustc_apfloat::ieee::Single;
 use rustc_apfloat::{Float, Round};
 
@@ -110,6 +110,6 @@ pub fn exhaustive(kind: Kind, format: Format, rounding: Rounding) -> impl Iterat
 }
 
 /// The arithmetic of a format given by its widths.
-pub fn arithmetic<const E: usize, const S: usize>(subnormals: Subnormals) -> Arithmetic {
-    Arithmetic { format: Format::new(E as u32, S as u32).unwrap(), subnormals }
+pub fn arithmetic<const E: usize, const S: usize>() -> Arithmetic {
+    Arithmetic::new(Format::new(E as u32, S as u32).unwrap())
 }
