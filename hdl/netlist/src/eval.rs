@@ -28,7 +28,7 @@ pub fn evaluate(graph: &Graph, mut source: impl FnMut(Op, u32) -> u128) -> Vec<u
 /// A cycle-accurate simulation of a flattened netlist.
 ///
 /// ```
-/// # use crate::{Evaluator, Flat};
+/// # use netlist::{Evaluator, Flat};
 /// # fn run(flat: &Flat) {
 /// let mut simulation = Evaluator::new(flat);
 /// simulation.set_input(0, 7);
