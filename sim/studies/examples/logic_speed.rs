@@ -12,13 +12,12 @@ use logic::interpreter::Interpreter;
 use logic::rust_hdl::{Ports, RustHdl};
 use logic::verilated::Verilated;
 use netlist::Engine;
-use netlist::{Flat, flatten};
+use netlist::{Flat, flatten, latency_cycles};
 use pipelines::catalogue::{StandardFormat, Top};
 use pipelines::formats::binary32;
 
 /// Vectors in memory, run over and over.
 const VECTORS: usize = 4096;
-const LATENCY_CYCLES: usize = 8;
 /// Turns of all simulations; the best of each counts.
 const TURNS: usize = 5;
 
@@ -36,14 +35,19 @@ fn vectors(top: Top, netlist: &Flat) -> Vec<Vec<u64>> {
 }
 
 /// Sums of the outputs over one pass of the vectors, and seconds, with each lane a part of the stream.
-fn compiled_pass(engine: &mut Compiled, frames: &[Vec<[u32; LANES]>], passes: u32) -> (Vec<u64>, f64) {
+fn compiled_pass(
+    engine: &mut Compiled,
+    frames: &[Vec<[u32; LANES]>],
+    passes: u32,
+    latency: usize,
+) -> (Vec<u64>, f64) {
     let program = engine.program();
     let cycles = frames.len();
     let mut sums = vec![[0u32; LANES]; program.outputs.len()];
     let mut bits = vec![0u64; program.outputs.len()];
     let start = ThreadTime::now();
     for _ in 0..passes {
-        for cycle in 0..cycles + LATENCY_CYCLES {
+        for cycle in 0..cycles + latency {
             // The last frame is repeated while the last results come out.
             for (port, lanes) in program.inputs.iter().zip(&frames[cycle.min(cycles - 1)]) {
                 match port.slot {
@@ -53,7 +57,7 @@ fn compiled_pass(engine: &mut Compiled, frames: &[Vec<[u32; LANES]>], passes: u3
                 }
             }
             engine.settle();
-            if cycle >= LATENCY_CYCLES {
+            if cycle >= latency {
                 for (position, port) in program.outputs.iter().enumerate() {
                     match port.slot {
                         Slot::Word(..) => {
@@ -131,32 +135,33 @@ fn measure(top: Top, rust_hdl: fn(&[Vec<u64>]) -> f64) -> Result<(), Box<dyn std
     let format = StandardFormat::Binary32;
     let design = top.design(format)?;
     let netlist = flatten(&design)?;
+    let latency = latency_cycles(&netlist).ok_or("a plain pipeline has a latency")? as usize;
     let program = compiled::program(top, format).ok_or("the pipelines are compiled")?;
     let vectors = vectors(top, &netlist);
     let frames = frames(program, &vectors);
     let folder = tempfile::tempdir()?;
     let model = Verilated::build(&design, folder.path())?;
     let mut drained = vectors.clone();
-    drained.extend(std::iter::repeat_n(vectors[VECTORS - 1].clone(), LATENCY_CYCLES));
+    drained.extend(std::iter::repeat_n(vectors[VECTORS - 1].clone(), latency));
 
     let (mut verilator, mut one, mut two) = (0.0f64, 0.0f64, 0.0f64);
     const VERILATOR_PASSES: u32 = 100;
     const PASSES: u32 = 1000;
     let rate = |passes: u32, seconds: f64| f64::from(passes) * VECTORS as f64 / seconds;
     for _ in 0..TURNS {
-        let run = model.run(&drained, VERILATOR_PASSES + 1, LATENCY_CYCLES)?;
+        let run = model.run(&drained, VERILATOR_PASSES + 1, latency)?;
         verilator = verilator.max(rate(VERILATOR_PASSES, run.seconds));
-        let (sums, seconds) = compiled_pass(&mut Compiled::new(program), &frames, PASSES);
+        let (sums, seconds) = compiled_pass(&mut Compiled::new(program), &frames, PASSES, latency);
         one = one.max(rate(PASSES, seconds));
         // Both run whole passes over the same vectors, whose order does not matter to a sum.
-        let single = model.run(&drained, 1, LATENCY_CYCLES)?.sums;
-        let (once, _) = compiled_pass(&mut Compiled::new(program), &frames, 1);
+        let single = model.run(&drained, 1, latency)?.sums;
+        let (once, _) = compiled_pass(&mut Compiled::new(program), &frames, 1, latency);
         let single: Vec<u64> = single.iter().map(|sum| sum & u64::from(u32::MAX)).collect();
         if once != single || sums.len() != once.len() {
             return Err(format!("{top}: the sums of the outputs differ: {once:?} and {single:?}").into());
         }
         let rates: Vec<f64> = std::thread::scope(|scope| {
-            let run = || rate(PASSES, compiled_pass(&mut Compiled::new(program), &frames, PASSES).1);
+            let run = || rate(PASSES, compiled_pass(&mut Compiled::new(program), &frames, PASSES, latency).1);
             let threads: Vec<_> = (0..2).map(|_| scope.spawn(run)).collect();
             threads.into_iter().map(|thread| thread.join().expect("no panic")).collect()
         });
@@ -176,7 +181,9 @@ fn measure(top: Top, rust_hdl: fn(&[Vec<u64>]) -> f64) -> Result<(), Box<dyn std
     for set in InstructionSet::ALL {
         if let Some(mut engine) = Compiled::with_instructions(program, set) {
             let passes = if set == InstructionSet::Scalar { PASSES / 10 } else { PASSES };
-            let found = best((0..TURNS).map(|_| rate(passes, compiled_pass(&mut engine, &frames, passes).1)));
+            let found = best(
+                (0..TURNS).map(|_| rate(passes, compiled_pass(&mut engine, &frames, passes, latency).1)),
+            );
             println!("  {set}: {:.2} M/s, {:.1} times Verilator", found * 1e-6, found / verilator);
         }
     }

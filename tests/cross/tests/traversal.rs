@@ -6,25 +6,26 @@ use equivalence::{Model, Ports, Stimulus, compare};
 use golden::dst::{Child, Code, Dst, Step};
 use golden::traverse::{NoObserver, Trace, closest_by_steps};
 use golden::{Mode, TraversalRay};
-use netlist::{Evaluator, Flat};
+use netlist::{Evaluator, Flat, latency_cycles};
 use pipelines::catalogue::{StandardFormat, Top};
 use render::CameraRays;
 use scenes::{Scene, procedural};
 
-const LATENCY_CYCLES: usize = 8;
 /// Fraction of a scene's triangles; the generators stop at some thousand.
 const DETAIL: f64 = 1e-4;
 
-/// The pipeline as a step function: a node goes in, and its result comes out eight cycles later.
+/// The pipeline as a step function: a node goes in, and its result comes out after the latency.
 struct Hardware<'n> {
     ports: Ports<'n>,
     netlist: &'n Flat,
     simulation: Evaluator<'n>,
+    latency_cycles: u32,
 }
 
 impl<'n> Hardware<'n> {
     fn new(netlist: &'n Flat) -> Self {
-        Self { ports: Ports::new(netlist), netlist, simulation: Evaluator::new(netlist) }
+        let latency_cycles = latency_cycles(netlist).expect("a plain pipeline");
+        Self { ports: Ports::new(netlist), netlist, simulation: Evaluator::new(netlist), latency_cycles }
     }
 
     fn step(&mut self, words: [u32; 3], ray: &TraversalRay, t_min: f32, t_max: f32) -> Step {
@@ -34,7 +35,7 @@ impl<'n> Hardware<'n> {
         self.ports.node().drive(&mut inputs, &NodeCase { words, ray: RayWords::new(ray, t_min, t_max) });
         self.simulation.cycle(&inputs);
         inputs[self.ports.input("valid_i")] = 0;
-        for _ in 1..LATENCY_CYCLES {
+        for _ in 1..self.latency_cycles {
             self.simulation.cycle(&inputs);
         }
         let outputs = self.simulation.cycle(&inputs);
@@ -87,7 +88,7 @@ fn stream(netlist: &Flat, dst: &Dst, rays: &[TraversalRay]) -> (usize, equivalen
     let count = nodes.len();
     let format = StandardFormat::Binary32;
     let mut stimulus = Stimulus::new(Top::DualSplit, format, netlist, 5).with_nodes(nodes);
-    let mut left = 3 * LATENCY_CYCLES;
+    let mut left = 3 * latency_cycles(netlist).expect("a plain pipeline") as usize;
     let cycles = std::iter::from_fn(|| {
         left -= usize::from(stimulus.is_past_nodes());
         if left == 0 { None } else { stimulus.next() }

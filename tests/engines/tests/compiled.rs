@@ -5,7 +5,7 @@ use equivalence::Stimulus;
 use lanes::{Compiled, InstructionSet, Program, ProgramPort};
 use logic::agreement::{any_inputs, first_difference};
 use netlist::Engine;
-use netlist::{Flat, Port, flatten};
+use netlist::{Flat, Port, flatten, latency_cycles};
 use pipelines::catalogue::{StandardFormat, Top};
 
 fn sets() -> impl Iterator<Item = InstructionSet> {
@@ -54,12 +54,12 @@ fn the_catalogue_agrees_with_the_evaluator() {
 /// Flushing a pipeline shows at once the outputs that it shows after its latency with inputs held.
 #[test]
 fn flushing_equals_waiting() {
-    const LATENCY_CYCLES: usize = 8;
     for top in [Top::DualSplit, Top::DualSplitLean, Top::RayBox, Top::RayBoxLean] {
         let netlist = flatten(&top.design(StandardFormat::Binary32).unwrap()).unwrap();
         let program = compiled::program(top, StandardFormat::Binary32).unwrap();
         let (mut flushed, mut clocked) = (Compiled::new(program), Compiled::new(program));
         assert!(flushed.has_flush());
+        let latency = latency_cycles(&netlist).unwrap();
         let enable = program.input("en_i").unwrap();
         let mut stream = Stimulus::new(top, StandardFormat::Binary32, &netlist, 5);
         for _ in 0..200 {
@@ -72,7 +72,7 @@ fn flushing_equals_waiting() {
                 }
                 flushed.flush(lane);
             }
-            for _ in 0..LATENCY_CYCLES {
+            for _ in 0..latency {
                 clocked.clock();
             }
             clocked.settle();

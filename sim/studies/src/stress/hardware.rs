@@ -1,28 +1,31 @@
-//! The dual-split pipeline's netlist in a narrow format as a step function: a node goes in, and its result comes out eight
-//! cycles later. [`logic::steps`] does the same in binary32, faster.
+//! The dual-split pipeline's netlist in a narrow format as a step function: a node goes in, and its result comes out after
+//! the latency. [`logic::steps`] does the same in binary32, faster.
 
 use equivalence::Ports;
 use equivalence::cases::{NodeCase, RayWords};
 use fp::{Arithmetic, Rounding};
 use golden::dst::{Child, Code, Step};
 use golden::precision::NarrowRay;
-use netlist::{Evaluator, Flat};
-
-const LATENCY_CYCLES: usize = 8;
+use netlist::{Evaluator, Flat, latency_cycles};
 
 /// A pipeline with one node at a time in it.
 pub struct Hardware<'n> {
     ports: Ports<'n>,
     inputs: Vec<u128>,
     simulation: Evaluator<'n>,
+    latency_cycles: u32,
 }
 
 impl<'n> Hardware<'n> {
     /// The pipeline at power-up.
+    ///
+    /// # Panics
+    /// If it is no plain pipeline.
     #[must_use]
     pub fn new(netlist: &'n Flat) -> Self {
         let inputs = vec![0; netlist.inputs.len()];
-        Self { ports: Ports::new(netlist), inputs, simulation: Evaluator::new(netlist) }
+        let latency_cycles = latency_cycles(netlist).expect("a plain pipeline");
+        Self { ports: Ports::new(netlist), inputs, simulation: Evaluator::new(netlist), latency_cycles }
     }
 
     /// One step in the pipeline's own format, `arithmetic`'s; the ray has one value for its origin and reciprocals, as the
@@ -44,7 +47,7 @@ impl<'n> Hardware<'n> {
         self.ports.node().drive(&mut self.inputs, case);
         self.simulation.cycle(&self.inputs);
         self.inputs[self.ports.input("valid_i")] = 0;
-        for _ in 1..LATENCY_CYCLES {
+        for _ in 1..self.latency_cycles {
             self.simulation.cycle(&self.inputs);
         }
         let outputs = self.simulation.cycle(&self.inputs);
