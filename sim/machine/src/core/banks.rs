@@ -1,6 +1,6 @@
 //! Banks of a cache that are taken, cycle by cycle of a quantum.
 
-use super::tm::QUANTUM;
+use super::quantum::LONGEST as QUANTUM;
 use crate::description::check::MAX_BANKS;
 
 /// By bank, a bit for each slot of the quantum in which it is taken. The bank of a word is its address modulo their number.

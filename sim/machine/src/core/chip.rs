@@ -6,8 +6,9 @@ use super::blocked::Blocked;
 use super::dram::Dram;
 use super::l2::L2;
 use super::plan::{Noted, Plan, loads};
+use super::quantum;
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
-use super::tm::{QUANTUM, Request, Tm, quantum_cycles};
+use super::tm::{Request, Tm};
 use super::work::{Tape, Work};
 use crate::description::MachineDescription;
 use crate::program::{Conditions, EntryId, Program, START};
@@ -82,7 +83,7 @@ struct Chip<'a, W> {
     /// Threads of the host.
     host_threads: usize,
     /// What is asked of the chip, by slot of the quantum.
-    requests: [Vec<Request>; QUANTUM],
+    requests: [Vec<Request>; quantum::LONGEST],
     /// Room for what is asked by the current slot and not yet served, in order of place, of one place the newest first.
     waiting: Vec<Request>,
     /// Reads that found their memory channel full.
@@ -141,7 +142,7 @@ pub fn simulate_plan<W: Work>(
         dram: Dram::new(&machine.dram),
         next_item: 0,
         now: 0,
-        length: quantum_cycles(machine),
+        length: quantum::cycles(machine),
         host_threads: rayon::current_num_threads(),
         requests: Default::default(),
         waiting: vec![],

@@ -3,8 +3,8 @@
 use super::banks::Banks;
 use super::lines::Lines;
 use super::outstanding::{Outstanding, UNKNOWN, Waiter};
+use super::quantum::LONGEST as QUANTUM;
 use super::stats::CacheCounts;
-use super::tm::QUANTUM;
 use crate::description::MachineDescription;
 use crate::program::BoardEntry;
 

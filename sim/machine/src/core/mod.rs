@@ -14,6 +14,7 @@ mod lines;
 mod outstanding;
 mod plan;
 mod prefetch;
+mod quantum;
 mod slots;
 mod stats;
 mod tags;

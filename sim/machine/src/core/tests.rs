@@ -6,6 +6,9 @@ use super::*;
 use crate::description::MachineDescription;
 use crate::program::{EntryId, Program};
 
+mod slow;
+mod slow_and_fast;
+
 /// Items whose events are one run from `body`, with `address` at a word per item.
 struct Repeat {
     items: u32,

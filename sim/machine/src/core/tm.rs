@@ -1,6 +1,6 @@
 //! A thread multiprocessor: its threads issue in order, at most one instruction a cycle each.
 //!
-//! Time advances in quanta of [`QUANTUM`] cycles. Within a quantum, threads run one after another, in ring order from the
+//! Time advances in quanta of [`quantum::LONGEST`] cycles. Within a quantum, threads run one after another, in ring order from the
 //! one that has waited longest, and take fetches, units and cache banks from tables with an entry for each cycle. A
 //! thread is never affected by one behind it in this order, so the outcome is that of going cycle by cycle with the
 //! order fixed for the quantum; but running on with one thread is several times as fast.
@@ -9,23 +9,15 @@
 //! until the chip has served it, then catches up. A quantum is not longer than the time that memory takes, so
 //! that nothing asked for within a quantum arrives from there within it.
 
-use super::dram::Dram;
 use super::l1::{Access, L1, NOT_LOOKED_UP, Target};
 use super::outstanding::Waiter;
+use super::quantum;
 use super::slots::{self, Slots};
 use super::stats::ThreadCycles;
 use super::thread::{State, Stop, Tables, Thread};
 use crate::description::MachineDescription;
 use crate::program::{COUNTER, Issue, Kind, MicroOp, PIPELINE, POOLS, Program, UNLIMITED};
 use costs::Unit;
-
-/// Most cycles of a quantum.
-pub const QUANTUM: usize = 8;
-
-/// Cycles of a machine's quantum.
-pub fn quantum_cycles(machine: &MachineDescription) -> u32 {
-    Dram::least_latency(&machine.dram).clamp(1, QUANTUM as u32)
-}
 
 /// What a thread asks of the rest of the chip.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +83,7 @@ impl Tm {
         units[usize::from(UNLIMITED)] = slots::ENOUGH;
         units[usize::from(PIPELINE)] = 1;
         units[usize::from(COUNTER)] = 1;
-        let length = quantum_cycles(machine) as usize;
+        let length = quantum::cycles(machine) as usize;
         let all_units = Slots::new(&units, length);
         let icache = &machine.icache;
         let icache_banks = icache.banks as usize;
@@ -148,7 +140,7 @@ impl Tm {
         });
     }
 
-    /// Runs all threads from cycle `start` up to `end`, at most [`QUANTUM`] cycles later.
+    /// Runs all threads from cycle `start` up to `end`, at most [`quantum::LONGEST`] cycles later.
     pub fn quantum(&mut self, program: &Program, start: u32, end: u32) {
         if self.is_halted() {
             return;
@@ -234,7 +226,7 @@ impl Tm {
     fn other_op(&mut self, program: &Program, number: usize, start: u32, end: u32) -> bool {
         let (thread, cycles) = (&mut self.threads[number], &mut self.cycles);
         let now = thread.time;
-        let slot = (now - start) as usize % QUANTUM;
+        let slot = (now - start) as usize % quantum::LONGEST;
         let op = &program.code.ops[thread.pc as usize];
         let at = thread.more_ready(program, op);
         if at > now {
