@@ -8,7 +8,7 @@ use crate::core::dram::{Dram, Read, Requester};
 use crate::core::stats::CacheCounts;
 use crate::core::{Counts, Tape, Work};
 use crate::description::{Cache, MachineDescription};
-use crate::program::{BoardEntry, Issue, Kind, Program, START, UNLIMITED};
+use crate::program::{BoardEntry, Kind, Program, START, UNLIMITED};
 use costs::Unit;
 use std::collections::HashMap;
 
@@ -318,11 +318,11 @@ impl<W: Work> Slow<'_, W> {
         if state != State::Runs || time != now {
             return;
         }
-        let (step, op) = (program.code.steps[pc], program.code.ops[pc]);
+        let op = &program.code.ops[pc];
 
         let icache = &self.machine.icache;
         if !fetched {
-            let fetch = Resource::Fetch(tm, number as u32 % icache.caches, step.bank);
+            let fetch = Resource::Fetch(tm, number as u32 % icache.caches, op.bank);
             if !self.take(fetch, now, icache.fetches_per_bank) {
                 self.counts.thread_cycles.fetch += 1;
                 return self.tms[tm].threads[number].time += 1;
@@ -332,8 +332,9 @@ impl<W: Work> Slow<'_, W> {
 
         let thread = &mut self.tms[tm].threads[number];
         let ready = |register: &BoardEntry| thread.ready[usize::from(*register)];
-        let others = further_reads(program, pc).iter().map(ready).max().unwrap_or(0);
-        for ready in [ready(&step.read), others] {
+        let further = program.operands_of(op).reads.iter().map(ready).max();
+        let others = ready(&op.reads[1]).max(further.unwrap_or(0));
+        for ready in [ready(&op.reads[0]), others] {
             if ready == UNKNOWN {
                 return thread.state = State::Parked;
             }
@@ -605,14 +606,6 @@ enum Outcome {
     Refused,
     /// It tries again when the memory channel of this line has room.
     Full(u32),
-}
-
-/// The registers that the operation at `pc` waits for, but for the first.
-fn further_reads(program: &Program, pc: usize) -> Vec<BoardEntry> {
-    match program.code.steps[pc].issue {
-        Issue::Pair { second, .. } => vec![second],
-        _ => program.operands_of(&program.code.ops[pc]).reads.clone(),
-    }
 }
 
 impl Thread {
