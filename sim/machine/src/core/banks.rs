@@ -1,18 +1,18 @@
 //! Banks of a cache that are taken, cycle by cycle of a quantum.
 
-use super::tm::QUANTUM;
+use super::quantum::LONGEST;
 use crate::description::check::MAX_BANKS;
 
 /// By bank, a bit for each slot of the quantum in which it is taken. The bank of a word is its address modulo their number.
 #[derive(Clone, Debug)]
 pub struct Banks {
-    /// For as many as there can be.
+    /// For as many banks as a machine can have.
     taken: [u8; BANKS],
     mask: u32,
 }
 
 const BANKS: usize = MAX_BANKS as usize;
-const _: () = assert!(QUANTUM <= u8::BITS as usize, "a slot is a bit");
+const _: () = assert!(LONGEST <= u8::BITS as usize, "a slot is a bit");
 
 impl Banks {
     /// `banks` banks, a power of two, of which none is taken.
@@ -26,22 +26,16 @@ impl Banks {
         self.taken = [0; BANKS];
     }
 
-    /// The slots in which the bank of word `address` is taken, a bit for each.
-    #[inline(always)]
-    pub fn slots(&self, address: u32) -> u8 {
-        self.taken[(address & self.mask) as usize % BANKS]
-    }
-
     /// Whether the bank of word `address` is taken in slot `slot`.
     #[inline(always)]
     pub fn is_taken(&self, slot: usize, address: u32) -> bool {
-        self.slots(address) >> (slot % QUANTUM) & 1 != 0
+        self.taken[(address & self.mask) as usize % BANKS] >> (slot % LONGEST) & 1 != 0
     }
 
     /// Takes the bank of word `address` in slot `slot`.
     #[inline(always)]
     pub fn take(&mut self, slot: usize, address: u32) {
-        self.taken[(address & self.mask) as usize % BANKS] |= 1 << (slot % QUANTUM);
+        self.taken[(address & self.mask) as usize % BANKS] |= 1 << (slot % LONGEST);
     }
 }
 
@@ -58,10 +52,9 @@ mod tests {
             for (word, slot) in (0..3 * banks).flat_map(|word| [(word, 2), (word, 3), (word, 7)]) {
                 let same = word % banks == 5 % banks;
                 assert_eq!(taken.is_taken(slot, word), same && slot != 3, "{banks} {word} {slot}");
-                assert_eq!(taken.slots(word), if same { 0b1000_0100 } else { 0 });
             }
             taken.clear();
-            assert_eq!(taken.slots(5), 0);
+            assert!(!taken.is_taken(2, 5));
         }
     }
 }

@@ -1,11 +1,10 @@
 //! Reads that found the queue of their memory channel full.
 //!
 //! Nothing can happen to such a read before its channel has issued another one: its line is in no cache and not under way.
-//! So it does not try again in every cycle, which a chip of many threads would spend most of its simulation on, but when
-//! there is room.
+//! So it tries again when there is room, and not in every cycle, which would take most of the simulation's time.
 
 use super::dram::Dram;
-use super::tm::Request;
+use super::request::Request;
 
 /// Reads that wait for room, by channel, in the order in which they came.
 #[derive(Clone, Debug)]
@@ -25,7 +24,7 @@ impl Blocked {
         Self { channels: vec![vec![]; channels as usize], number: 0 }
     }
 
-    /// Whether nobody waits.
+    /// Whether no read waits.
     pub fn is_empty(&self) -> bool {
         self.number == 0
     }
@@ -36,7 +35,7 @@ impl Blocked {
         self.number += 1;
     }
 
-    /// Whether there is room for somebody.
+    /// Whether a channel has room for a read that waits for it.
     pub fn could_go_on(&self, dram: &Dram) -> bool {
         let mut waits = self.channels.iter().enumerate().filter(|(_, reads)| !reads.is_empty());
         self.number > 0 && waits.any(|(channel, _)| dram.room(channel) > 0)
@@ -44,7 +43,7 @@ impl Blocked {
 
     /// Passes as many reads as there is room for to `wake`, those of the least `place` first, and with each those of the
     /// same line, which need no room.
-    pub fn wake(&mut self, dram: &Dram, place: impl Fn(&Request) -> u32, mut wake: impl FnMut(Request)) {
+    pub fn wake(&mut self, dram: &Dram, place: impl Fn(&Request) -> usize, mut wake: impl FnMut(Request)) {
         for (channel, reads) in self.channels.iter_mut().enumerate() {
             if reads.is_empty() {
                 continue;

@@ -1,4 +1,4 @@
-//! The chip, cycle by cycle.
+//! The chip, quantum by quantum.
 
 mod serve;
 
@@ -6,13 +6,13 @@ use super::blocked::Blocked;
 use super::dram::Dram;
 use super::l2::L2;
 use super::plan::{Noted, Plan, loads};
+use super::quantum;
+use super::request::Request;
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
-use super::tm::{QUANTUM, Request, Tm, quantum_cycles};
+use super::tm::Tm;
 use super::work::{Tape, Work};
 use crate::description::MachineDescription;
 use crate::program::{Conditions, EntryId, Program, START};
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Why a simulation stops.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -44,7 +44,7 @@ pub struct Counts {
     pub dram: DramCounts,
 }
 
-/// A multiprocessor with what its threads are at.
+/// A multiprocessor with the work of its threads.
 struct Seat {
     tm: Tm,
     /// Its partition.
@@ -53,18 +53,6 @@ struct Seat {
     items: Vec<u32>,
     /// Times that each run was recorded.
     runs: Vec<u64>,
-}
-
-/// Multiprocessors from which on a quantum is shared out among the host's threads; fewer take less time than sharing.
-const PARALLEL_TMS: usize = 8;
-
-/// Says so when it is over, also when by a panic.
-struct Over<'a>(&'a AtomicBool);
-
-impl Drop for Over<'_> {
-    fn drop(&mut self) {
-        self.0.store(true, Relaxed);
-    }
 }
 
 struct Chip<'a, W> {
@@ -79,27 +67,23 @@ struct Chip<'a, W> {
     now: u32,
     /// Cycles of a quantum.
     length: u32,
-    /// Threads of the host.
-    host_threads: usize,
-    /// What is asked of the chip, by slot of the quantum.
-    requests: [Vec<Request>; QUANTUM],
-    /// Room for what is asked by the current slot and not yet served, in order of place, of one place the newest first.
-    waiting: Vec<Request>,
+    /// Room for the requests that are served next.
+    tries: Vec<Request>,
     /// Reads that found their memory channel full.
     blocked: Blocked,
     no_more: Conditions,
     line_shift: u32,
     plan: &'a Plan,
-    /// Number of skipped ranges behind the counter.
+    /// Number of the plan's skipped ranges that the counter has passed.
     skips: usize,
     noted: Vec<Noted>,
-    /// Times that runs of items were recorded that are not timed.
+    /// Times that each run was recorded in items that are not timed.
     skipped_runs: Vec<u64>,
 }
 
 /// Simulates `work` by `program` on `machine`.
 ///
-/// `items_done` is called with the number of items taken since its last call, now and then.
+/// `items_done` is called from time to time with the number of items taken since its last call.
 ///
 /// # Errors
 /// See [`SimulationError`].
@@ -107,13 +91,13 @@ pub fn simulate<W: Work>(
     machine: &MachineDescription,
     program: &Program,
     work: &W,
-    items_done: impl FnMut(u32) + Send,
+    items_done: impl FnMut(u32),
 ) -> Result<Counts, SimulationError> {
     Ok(simulate_plan(machine, program, work, &Plan::default(), items_done)?.0)
 }
 
-/// [`simulate`], timing what `plan` says. Runs are counted of all items, cycles and accesses of those that are timed; beside
-/// them what was noted at the plan's marks.
+/// [`simulate`] for the items that `plan` times. Runs are counted for all items, cycles and accesses for those that are timed. The
+/// second result holds the counts at the plan's marks.
 ///
 /// # Errors
 /// See [`SimulationError`].
@@ -122,7 +106,7 @@ pub fn simulate_plan<W: Work>(
     program: &Program,
     work: &W,
     plan: &Plan,
-    mut items_done: impl FnMut(u32) + Send,
+    mut items_done: impl FnMut(u32),
 ) -> Result<(Counts, Vec<Noted>), SimulationError> {
     let tms = machine.chip.tms();
     let mut chip = Chip {
@@ -141,10 +125,8 @@ pub fn simulate_plan<W: Work>(
         dram: Dram::new(&machine.dram),
         next_item: 0,
         now: 0,
-        length: quantum_cycles(machine),
-        host_threads: rayon::current_num_threads(),
-        requests: Default::default(),
-        waiting: vec![],
+        length: quantum::cycles(machine),
+        tries: vec![],
         blocked: Blocked::new(machine.dram.channels),
         no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
@@ -157,20 +139,17 @@ pub fn simulate_plan<W: Work>(
     for seat in &mut chip.seats {
         (0..machine.tm.threads as usize).for_each(|thread| seat.start(program, thread, start));
     }
-    chip.with_help(|chip| {
-        let mut reported = 0;
-        while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
-            chip.quantum();
-            if chip.now > MAX_CYCLES {
-                return Err(SimulationError::TooLong);
-            }
-            if chip.next_item - reported >= 256 {
-                items_done(chip.next_item - reported);
-                reported = chip.next_item;
-            }
+    let mut reported = 0;
+    while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
+        chip.quantum();
+        if chip.now > MAX_CYCLES {
+            return Err(SimulationError::TooLong);
         }
-        Ok(())
-    })?;
+        if chip.next_item - reported >= 256 {
+            items_done(chip.next_item - reported);
+            reported = chip.next_item;
+        }
+    }
     let counts = chip.counts();
     Ok((counts, chip.noted))
 }
@@ -184,17 +163,15 @@ impl Seat {
     }
 
     /// Gives new tapes to the threads that need them and lets them catch up.
-    #[inline]
-    fn change_tapes<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, quantum: [u32; 2]) {
+    fn change_tapes<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions) {
         while let Some(thread) = self.tm.ended.pop() {
             let thread = usize::from(thread);
             self.change_tape(program, work, no_more, thread);
-            self.tm.run(program, thread, quantum[0], quantum[1]);
+            self.tm.run(program, thread);
         }
     }
 
     /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
-    #[inline(never)]
     fn change_tape<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, thread: usize) {
         let place = &mut self.tm.threads[thread];
         let Some(entry) = program.code.runs[place.tape[place.at as usize] as usize].next else {
@@ -216,41 +193,6 @@ impl Seat {
 }
 
 impl<W: Work> Chip<'_, W> {
-    /// Does `all` while the host's other threads stand by: a quantum is over before a sleeping one is awake.
-    fn with_help<R: Send>(&mut self, all: impl FnOnce(&mut Self) -> R + Send) -> R {
-        // Who is a thread of the pool already has others of its kind beside it, with work of their own.
-        if self.seats.len() < PARALLEL_TMS || rayon::current_thread_index().is_some() {
-            return all(self);
-        }
-        let over = &AtomicBool::new(false);
-        rayon::scope(|scope| {
-            let own = rayon::current_thread_index();
-            for _ in 1..rayon::current_num_threads() {
-                // On the thread that the work itself runs on, it would never be over.
-                scope.spawn(move |_| {
-                    while !over.load(Relaxed) && rayon::current_thread_index() != own {
-                        if rayon::yield_now() != Some(rayon::Yield::Executed) {
-                            std::hint::spin_loop();
-                        }
-                    }
-                });
-            }
-            let _over = Over(over);
-            all(self)
-        })
-    }
-
-    /// Does `step` for every multiprocessor; they do not depend on each other.
-    fn each(&mut self, step: impl Fn(&mut Seat) + Sync + Send) {
-        let threads = self.host_threads;
-        if self.seats.len() >= PARALLEL_TMS && threads > 1 {
-            let share = self.seats.len().div_ceil(4 * threads).max(PARALLEL_TMS / 2);
-            self.seats.par_iter_mut().with_min_len(share).for_each(step);
-        } else {
-            self.seats.iter_mut().for_each(step);
-        }
-    }
-
     fn quantum(&mut self) {
         let (start, end) = (self.now, self.now + self.length);
         self.dram.advance(start);
@@ -262,19 +204,19 @@ impl<W: Work> Chip<'_, W> {
         });
         self.l2s.iter_mut().for_each(|l2| l2.begin(start));
         let (program, work, no_more) = (self.program, self.work, self.no_more);
-        self.each(|seat| {
+        for seat in &mut self.seats {
             seat.tm.quantum(program, start, end);
-            seat.change_tapes(program, work, no_more, [start, end]);
-        });
+            seat.change_tapes(program, work, no_more);
+        }
         let mut wakes = !self.blocked.is_empty();
-        while wakes || self.seats.iter().any(|seat| !seat.tm.outbox.is_empty()) {
+        while wakes || self.seats.iter().any(|seat| !seat.tm.shared.asked.is_empty()) {
             self.serve(start, wakes);
             wakes = false;
-            self.each(|seat| {
-                seat.change_tapes(program, work, no_more, [start, end]);
-                seat.tm.catch_up(program, start, end);
-                seat.change_tapes(program, work, no_more, [start, end]);
-            });
+            for seat in &mut self.seats {
+                seat.change_tapes(program, work, no_more);
+                seat.tm.catch_up(program);
+                seat.change_tapes(program, work, no_more);
+            }
         }
         self.now = self.next_start(end);
     }
@@ -291,7 +233,7 @@ impl<W: Work> Chip<'_, W> {
         if next == u32::MAX { end } else { next.max(end) }
     }
 
-    /// The next item that is timed; threads that find nothing left leave the counter where it is.
+    /// The next item that is timed. The counter stays at the number of items once they are all taken.
     fn take_item(&mut self, request: Request) -> u32 {
         self.note(request.cycle);
         while let Some(range) = self.plan.skipped.get(self.skips).filter(|r| r.start == self.next_item) {
@@ -310,8 +252,8 @@ impl<W: Work> Chip<'_, W> {
         while self.plan.marks.get(self.noted.len()).is_some_and(|mark| *mark <= self.next_item) {
             let mut noted = Noted { cycles: now, dram: self.dram.counts(now), ..Noted::default() };
             for seat in &self.seats {
-                noted.thread_cycles.merge(&seat.tm.thread_cycles(self.program));
-                noted.l1.merge(&seat.tm.l1.counts());
+                noted.thread_cycles.merge(&seat.tm.shared.cycles);
+                noted.l1.merge(&seat.tm.shared.l1.counts);
             }
             self.l2s.iter().for_each(|l2| noted.l2.merge(&l2.counts));
             self.noted.push(noted);
@@ -335,7 +277,7 @@ impl<W: Work> Chip<'_, W> {
             }
             let number = item as usize % self.seats.len();
             let seat = &mut self.seats[number];
-            let (l1, l2) = (&mut seat.tm.l1, &mut self.l2s[seat.partition]);
+            let (l1, l2) = (&mut seat.tm.shared.l1, &mut self.l2s[seat.partition]);
             loads(self.program, &words, |word| {
                 let line = word >> self.line_shift;
                 if !l1.warm(line) {
@@ -350,8 +292,8 @@ impl<W: Work> Chip<'_, W> {
         let mut counts = Counts { cycles, runs: self.skipped_runs.clone(), ..Counts::default() };
         for seat in &mut self.seats {
             seat.tm.finish(cycles);
-            counts.thread_cycles.merge(&seat.tm.thread_cycles(self.program));
-            counts.l1.merge(&seat.tm.l1.counts());
+            counts.thread_cycles.merge(&seat.tm.shared.cycles);
+            counts.l1.merge(&seat.tm.shared.l1.counts);
             counts.runs.iter_mut().zip(&seat.runs).for_each(|(sum, times)| *sum += times);
         }
         self.l2s.iter().for_each(|l2| counts.l2.merge(&l2.counts));

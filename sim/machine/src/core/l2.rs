@@ -9,7 +9,7 @@ use crate::description::Cache;
 #[derive(Clone, Debug)]
 pub struct L2 {
     lines: Lines,
-    /// Banks that are taken.
+    /// Banks that served accesses have taken.
     busy: Banks,
     /// What happened.
     pub counts: CacheCounts,
@@ -32,9 +32,6 @@ impl L2 {
     }
 
     /// Whether the bank of word `address` is taken in slot `slot`, which refuses a request.
-    ///
-    /// With a branch: added as `u64::from(..)`, the count is lost in optimized code of rustc 1.95 where a caller branches on it.
-    #[inline(always)]
     pub fn refuses(&mut self, slot: usize, address: u32) -> bool {
         if self.busy.is_taken(slot, address) {
             self.counts.bank_conflicts += 1;
@@ -48,7 +45,7 @@ impl L2 {
         self.busy.take(slot, address);
     }
 
-    /// Holds `line` from now on, in no time.
+    /// Puts `line` into the cache in no time.
     pub fn warm(&mut self, line: u32) {
         self.lines.warm(line);
     }

@@ -40,7 +40,7 @@ impl Lines {
         self.next = self.next.min(cycle);
     }
 
-    /// Holds `line` from now on, in no time; whether it did before.
+    /// Puts `line` into the cache in no time. Returns whether it was there before.
     pub fn warm(&mut self, line: u32) -> bool {
         let held = self.tags.hit(line);
         if !held {
@@ -49,14 +49,8 @@ impl Lines {
         held
     }
 
-    /// Whether `line` is held in cycle `now`, in the simple case that nothing has arrived since the quantum began; if not, it
-    /// may be all the same.
-    #[inline(always)]
-    pub fn holds_since(&mut self, now: u32, line: u32) -> bool {
-        now < self.next && self.tags.hit(line)
-    }
-
-    /// Whether `line` is held in cycle `now`: what has arrived since the quantum began counts.
+    /// Whether the cache holds `line` in cycle `now`. A line that has arrived since the quantum began counts as held; the line that
+    /// it will replace counts as gone where a set has one place.
     #[inline(always)]
     pub fn holds(&mut self, now: u32, line: u32) -> bool {
         if now < self.next || !self.tags.is_enabled() {
@@ -65,7 +59,7 @@ impl Lines {
         self.holds_or_has_got(now, line)
     }
 
-    /// [`Lines::holds`] if something has arrived.
+    /// [`Lines::holds`] where some line has arrived since the quantum began.
     fn holds_or_has_got(&mut self, now: u32, line: u32) -> bool {
         let mut has_got = None;
         for &(cycle, other) in &self.arrivals {

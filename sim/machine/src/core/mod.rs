@@ -1,8 +1,9 @@
 //! The timing core: cycles of a chip of multiprocessors, second-level caches and memory.
 //!
-//! Time advances in quanta of some cycles (see `tm`): lines that arrive are announced, every multiprocessor runs
-//! independently of the others, and what they ask of the chip is served in the order of time. Quanta in which nothing
-//! can happen are skipped.
+//! Time advances in quanta of some cycles. At the start of a quantum, the chip announces the lines whose time of arrival is known.
+//! Then every multiprocessor runs through the quantum (`tm`, `thread`), and the chip serves their requests cycle by cycle
+//! (`chip::serve`). The threads that it has answered run through the rest of the quantum, and so on until nothing is asked. Quanta
+//! in which nothing can happen are skipped. The model in `tests/slow.rs` tells the same without tables and short cuts.
 
 mod banks;
 mod blocked;
@@ -14,6 +15,8 @@ mod lines;
 mod outstanding;
 mod plan;
 mod prefetch;
+mod quantum;
+mod request;
 mod slots;
 mod stats;
 mod tags;

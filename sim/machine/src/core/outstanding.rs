@@ -63,7 +63,7 @@ impl Outstanding {
         entry.first = slot;
     }
 
-    /// It is known now when `line` arrives; passes everyone who waits for it. False if nobody has asked.
+    /// It is known now when `line` arrives. Calls `wake` for everyone who waits for it. Returns false if nobody has asked for it.
     #[inline]
     pub fn arrives(&mut self, line: u32, arrival: u32, mut wake: impl FnMut(Waiter)) -> bool {
         let Some(entry) = self.entries.iter_mut().find(|entry| entry.line == line) else {
@@ -80,7 +80,7 @@ impl Outstanding {
         true
     }
 
-    /// Removes `line` if it has arrived by cycle `now`; if not, it has been asked for again since.
+    /// Removes `line` if it has arrived by cycle `now`. A later arrival belongs to a newer request, which stays.
     #[inline]
     pub fn remove_arrived(&mut self, line: u32, now: u32) {
         if let Some(at) = self.entries.iter().position(|entry| entry.line == line && entry.arrival <= now) {

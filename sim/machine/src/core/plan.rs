@@ -1,4 +1,4 @@
-//! What of the work is timed.
+//! Which items of the work are timed.
 
 use super::Counts;
 use super::stats::{CacheCounts, DramCounts, ThreadCycles};
@@ -7,16 +7,16 @@ use std::ops::Range;
 
 /// Items that are not timed, and items before which counts are noted. By default everything is timed.
 ///
-/// Items that are left out are recorded, so that what threads execute is known of all; the lines that they read go
-/// to the caches, multiprocessor by multiprocessor, in no time (functional warming, as in Wunderlich, Wenisch, Falsafi,
-/// Hoe, "SMARTS", ISCA 2003).
+/// Items that are not timed are recorded all the same, so the runs of all items are counted. The last of them warm the caches:
+/// the lines that they read are put into the caches in no time, item by item into the next multiprocessor's (functional warming,
+/// as in Wunderlich, Wenisch, Falsafi, Hoe, "SMARTS", ISCA 2003).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Plan {
-    /// Not timed, in order, without overlap.
+    /// Ranges of items that are not timed, in order, without overlap.
     pub skipped: Vec<Range<u32>>,
-    /// Items of each skipped range, its last, that warm the caches.
+    /// How many items at the end of each skipped range warm the caches.
     pub warming: u32,
-    /// In order; counts are noted when the counter first passes each of these.
+    /// Items in order. Counts are noted when the counter reaches or passes each of these.
     pub marks: Vec<u32>,
 }
 

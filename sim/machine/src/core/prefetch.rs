@@ -7,7 +7,7 @@
 /// Bytes of a line of the host's caches.
 const LINE: usize = 64;
 
-/// Asks for the first `lines` lines from `place` on, which may be any address. Does nothing on hosts other than x86-64.
+/// Asks for the first `lines` lines from `place` on, which may be any address. Hosts other than x86-64 are not asked.
 #[inline(always)]
 pub fn prefetch<T>(place: *const T, lines: usize) {
     #[cfg(target_arch = "x86_64")]

@@ -5,7 +5,7 @@ use crate::description::Cache;
 /// No line.
 const EMPTY: u32 = u32::MAX;
 
-/// Which lines a cache holds, least recently used ones replaced.
+/// Which lines a cache holds. A new line replaces the least recently used one of its set.
 #[derive(Clone, Debug)]
 pub struct Tags {
     /// Lines by set; within a set the most recently used first.
@@ -42,13 +42,13 @@ impl Tags {
         true
     }
 
-    /// Whether two lines compete for the only place of their set.
+    /// Whether the sets have one place each, and two lines compete for the same.
     #[inline(always)]
     pub fn compete(&self, a: u32, b: u32) -> bool {
         self.ways == 1 && (a ^ b) & self.set_mask == 0
     }
 
-    /// Whether lines stay.
+    /// Whether the cache holds lines at all.
     #[inline(always)]
     pub fn is_enabled(&self) -> bool {
         self.enabled

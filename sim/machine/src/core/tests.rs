@@ -1,10 +1,13 @@
 //! Programs so small that their cycles can be counted by hand.
 
-use super::l1::{Access, L1, Target};
+use super::l1::L1;
 use super::l2::L2;
 use super::*;
 use crate::description::MachineDescription;
 use crate::program::{EntryId, Program};
+
+mod slow;
+mod slow_and_fast;
 
 /// Items whose events are one run from `body`, with `address` at a word per item.
 struct Repeat {
@@ -250,19 +253,6 @@ fn wide_loads_bring_adjacent_words_and_take_a_second_access_across_lines() {
 }
 
 #[test]
-fn results_do_not_depend_on_the_number_of_host_threads() {
-    let body = "LOAD $3, $4, 0 #: data\nadd.s $f1, $f1, $f1\nSTORE $3, $4, 7 #: data";
-    let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let settings = ["chip.tms_per_partition=12", "chip.l2_partitions=2"];
-        pool.install(|| format!("{:?}", run_at(&settings, 5000, body, |item| 64 + 37 * (item % 700))))
-    };
-    let one = run(1);
-    assert_eq!(one, run(2));
-    assert_eq!(one, run(5));
-}
-
-#[test]
 fn a_larger_cache_never_misses_more_and_each_line_is_missed_once_at_least() {
     // One thread, so that the order of accesses does not depend on the cache; replacement by least recent use in one set.
     let misses = |lines: u32| {
@@ -282,19 +272,19 @@ fn a_larger_cache_never_misses_more_and_each_line_is_missed_once_at_least() {
 #[test]
 fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
     let machine = machine(&[]);
-    let target = Target { thread: 0, entries: &[1] };
+    let latency = machine.l1.latency_cycles;
     let mut l1 = L1::new(&machine);
     l1.begin(0);
     // A line that arrives in cycle 4 can be joined a cycle before, and is held from then on.
-    assert_eq!(l1.load_now(0, 0, 64, target), Access::Ask(0));
-    l1.taken(0, 0, 64, 4, target);
+    assert_eq!(l1.find(0, 0, 64), None);
+    l1.taken(0, 0, 64, 4);
     assert!(l1.refuses(0, 64 + 8), "the same bank in the same cycle");
     assert!(!l1.refuses(0, 64 + 7) && !l1.refuses(1, 64 + 8));
-    assert_eq!(l1.load_now(3, 3, 65, target), Access::Served(4 + machine.l1.latency_cycles));
-    assert_eq!((l1.counts().joined, l1.counts().hits), (1, 0));
-    assert_eq!(l1.load_now(4, 4, 65, target), Access::Served(4 + machine.l1.latency_cycles));
-    assert_eq!((l1.counts().joined, l1.counts().hits), (1, 1));
-    assert_eq!(l1.counts().bank_conflicts, 1);
+    assert_eq!(l1.find(3, 3, 65), Some(4 + latency));
+    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 0));
+    assert_eq!(l1.find(4, 4, 65), Some(4 + latency));
+    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 1));
+    assert_eq!(l1.counts.bank_conflicts, 1);
 
     let mut l2 = L2::new(&machine.l2);
     l2.begin(0);

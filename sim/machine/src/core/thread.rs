@@ -1,11 +1,13 @@
-//! A thread: where it is in its program, and the loop that issues its operations.
+//! A thread: where it is in its program, and how it issues its operations.
 
-use super::l1::{Access, L1, Target};
-use super::outstanding::UNKNOWN;
+use super::l1::{Access, L1};
+use super::outstanding::{UNKNOWN, Waiter};
 use super::prefetch::prefetch;
-use super::slots::{COLUMNS, Slots};
+use super::quantum::LONGEST;
+use super::request::Request;
+use super::slots::Slots;
 use super::stats::ThreadCycles;
-use crate::program::{BOARD_ENTRIES, BoardEntry, Issue, MicroOp, Program};
+use crate::program::{BOARD_ENTRIES, BoardEntry, Kind, MicroOp, Program};
 use std::hint::cold_path;
 
 /// Where a thread is.
@@ -13,7 +15,7 @@ use std::hint::cold_path;
 pub enum State {
     /// It goes on at its own time.
     Runs,
-    /// It waits for data whose time is not known.
+    /// It waits for data whose time of arrival is not known.
     Parked,
     /// It has asked the chip.
     Asks,
@@ -23,91 +25,77 @@ pub enum State {
     Halted,
 }
 
-/// A thread. What the loop below needs of it lies together, its scoreboard behind that.
+/// A thread.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Thread {
-    /// The next cycle that it has not lived through.
+    /// The cycle in which it goes on: it is done with all cycles before.
     pub time: u32,
     pub last_issue: u32,
-    /// Index of its next operation, or of what stands behind its run.
-    pub pc: u32,
-    /// Index of its run's first operation.
-    first: u32,
+    /// Index of its next operation.
+    pc: u32,
+    /// Index behind the last operation of its run.
+    behind: u32,
     /// Runs with their addresses.
     pub tape: Vec<u32>,
-    /// Index of the current run.
+    /// Where in the tape its run stands.
     pub at: u32,
-    /// Index behind the current run's addresses.
-    next: u32,
     pub state: State,
-    /// Whether its next operation has been fetched.
-    pub held: bool,
+    /// Its number in the multiprocessor.
+    number: u8,
     /// Its instruction cache.
-    pub icache: u8,
-    /// Words of a load that are under way already, where it reaches into a second line.
-    part: u8,
+    icache: u8,
+    /// Whether its next operation has been fetched.
+    fetched: bool,
+    /// Words that a wide load has brought so far, where it reaches into a second line.
+    brought: u8,
     /// Cycle from which on each register can be used, by its entry.
     ready: [u32; BOARD_ENTRIES],
 }
 
-/// What the threads of a multiprocessor take from, cycle by cycle of a quantum.
-pub struct Tables<'a> {
-    /// Fetches by bank of the thread's instruction cache.
-    pub fetches: &'a mut Slots,
-    /// Units by pool.
-    pub units: &'a mut Slots,
-    pub l1: &'a mut L1,
+/// What the threads of a multiprocessor share.
+#[derive(Clone, Debug)]
+pub struct Shared {
+    /// The multiprocessor.
+    pub tm: u16,
     /// First cycle of the quantum.
     pub start: u32,
-    /// Its cycles.
-    pub length: u32,
-}
-
-/// Why a thread does not go on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stop {
-    /// The quantum is over, and the next operation has not been fetched.
-    Unfetched,
-    /// The quantum is over, or an operand has no known time.
-    Waits,
-    /// The multiprocessor has to issue the operation; it has been fetched, and its first operand is ready.
-    Other,
-    /// The operation is a load for the chip, as in [`Access::Ask`].
-    Asks(u32),
-    /// The run is over.
-    Over,
-}
-
-/// Takes one of `resource` in the first slot behind `slot` in which there is one, and counts the cycles until then; none if
-/// there is none before `end`.
-#[cold]
-fn wait_for(slots: &mut Slots, resource: u8, slot: usize, end: usize, cycles: &mut u64) -> Option<usize> {
-    let next = slots.next(resource, slot, end);
-    *cycles += (next - slot) as u64;
-    slots.take(resource, next).then_some(next)
+    /// The cycle behind it.
+    pub end: u32,
+    /// Fetches left by bank, for each instruction cache.
+    pub fetches: Vec<Slots>,
+    /// Units left by pool.
+    pub units: Slots,
+    /// The data cache.
+    pub l1: L1,
+    /// 32-bit words of a line.
+    pub line_words: u32,
+    /// What threads ask of the chip.
+    pub asked: Vec<Request>,
+    /// What threads did.
+    pub cycles: ThreadCycles,
 }
 
 impl Thread {
-    /// A thread that fetches from the instruction cache `icache`.
-    pub fn new(icache: u8) -> Self {
+    /// Thread `number`, which fetches from the instruction cache `icache`.
+    pub fn new(number: u8, icache: u8) -> Self {
         Self {
             time: 0,
             last_issue: 0,
             pc: 0,
-            first: 0,
+            behind: 0,
             tape: vec![],
             at: 0,
-            next: 0,
             state: State::Runs,
-            held: false,
+            number,
             icache,
-            part: 0,
+            fetched: false,
+            brought: 0,
             ready: [0; BOARD_ENTRIES],
         }
     }
 
-    /// Asks the host for what it looks at first when it comes by: itself, and the first entries of its scoreboard.
+    /// Asks the host for what it looks at first when it has its turn: itself, and the first entries of its scoreboard.
     #[inline(always)]
     pub fn prefetch(&self) {
         prefetch(self, 3);
@@ -116,245 +104,197 @@ impl Thread {
     /// Asks the host for its next operations and addresses.
     #[inline(always)]
     pub fn prefetch_operations(&self, program: &Program) {
-        prefetch(program.code.steps.as_ptr().wrapping_add(self.pc as usize), 2);
+        prefetch(program.code.ops.as_ptr().wrapping_add(self.pc as usize), 2);
         prefetch(self.tape.as_ptr().wrapping_add(self.at as usize), 1);
     }
 
-    /// Issues operations of thread `number` before the end of the quantum, up to one that is neither plain nor a load that
-    /// the L1 serves, or to the end of its tape, which is [`Stop::Over`].
+    /// Issues operations until the quantum is over, or the thread has to wait for the chip or for new work.
+    ///
+    /// In each cycle the next operation is fetched, finds its operands, takes a unit and is executed. Where one of these is
+    /// not to be had, the thread comes back to the operation in a later cycle.
     #[inline(always)]
-    pub fn issue(
-        &mut self,
-        number: u8,
-        program: &Program,
-        tables: &mut Tables<'_>,
-        cycles: &mut ThreadCycles,
-    ) -> Stop {
-        let steps = &program.code.steps[..];
-        let (start, end) = (tables.start, tables.start + tables.length);
-        let slots = tables.length as usize;
-        let first = (self.time - start) as usize % COLUMNS;
-        let mut slot = first;
-        // The one behind that of the last operation issued.
-        let mut behind;
-        let mut rest = &steps[self.pc as usize..];
-        if self.held {
-            // It brings its fetch along.
-            tables.fetches.give(rest[0].bank, slot);
-        }
-        let stop = loop {
-            let [step, next @ ..] = rest else { unreachable!("behind every run stands its end") };
-            behind = slot;
-            // There is none behind the quantum, nor for what stands behind a run.
-            if !tables.fetches.take(step.bank, slot) {
-                cold_path();
-                if step.issue == Issue::End {
-                    self.pc = (steps.len() - rest.len()) as u32;
-                    if !self.advance(program, cycles) {
-                        self.time = start + slot as u32;
-                        break Stop::Over;
-                    }
-                    rest = &steps[self.pc as usize..];
+    pub fn run(&mut self, program: &Program, shared: &mut Shared) {
+        while self.state == State::Runs && self.time < shared.end {
+            let slot = (self.time - shared.start) as usize % LONGEST;
+            let op = &program.code.ops[self.pc as usize];
+
+            // What has been fetched is not fetched again.
+            if !self.fetched {
+                if !shared.fetches[usize::from(self.icache)].take(op.bank, slot) {
+                    cold_path();
+                    shared.cycles.fetch += 1;
+                    self.time += 1;
                     continue;
                 }
-                let waits = slot < slots;
-                let next = waits
-                    .then(|| wait_for(tables.fetches, step.bank, slot, slots, &mut cycles.fetch))
-                    .flatten();
-                let Some(next) = next else {
-                    self.time = end;
-                    break Stop::Unfetched;
-                };
-                slot = next;
+                self.fetched = true;
             }
-            let mut now = start + slot as u32;
-            let ready = self.ready[usize::from(step.read)];
-            if ready > now {
+
+            if !self.has_operands(program, op, &mut shared.cycles) {
+                continue;
+            }
+
+            if !shared.units.take(op.pool, slot) {
                 cold_path();
-                if !self.is_ready_by(now, ready, end, cycles) {
-                    break Stop::Waits;
-                }
-                now = ready;
-                slot = (now - start) as usize % COLUMNS;
+                shared.cycles.units += 1;
+                self.time += 1;
+                continue;
             }
-            let ready = if let Issue::Plain { pool, latency } = step.issue {
-                if !tables.units.take(pool, slot) {
-                    cold_path();
-                    let Some(next) = wait_for(tables.units, pool, slot, slots, &mut cycles.units) else {
-                        self.time = end;
-                        break Stop::Waits;
-                    };
-                    (slot, now) = (next, start + next as u32);
-                }
-                now + u32::from(latency)
-            } else if let Issue::Load { base, offset } = step.issue {
-                let address = self.word(base, offset);
-                if let Some(ready) = tables.l1.hit(now, slot, address) {
-                    ready
-                } else {
-                    cold_path();
-                    let target = Target { thread: number, entries: std::slice::from_ref(&step.write) };
-                    let access;
-                    (access, slot) = tables.l1.load(start, slot..slots, address, target);
-                    slot %= COLUMNS;
-                    self.time = start + slot as u32;
-                    cycles.memory += u64::from(self.time - now);
-                    match access {
+
+            let ready = match op.kind {
+                Kind::Plain | Kind::Nop => self.time + u32::from(op.latency),
+                Kind::Load | Kind::Store => {
+                    let address = self.address(op);
+                    match shared.l1.access(op.kind, self.time, slot, address) {
                         Access::Served(ready) => ready,
-                        Access::Ask(missed) => break Stop::Asks(missed),
-                        Access::Refused => break Stop::Waits,
+                        Access::Refused => {
+                            shared.cycles.memory += 1;
+                            self.time += 1;
+                            continue;
+                        }
+                        Access::Ask => {
+                            self.ask(op.kind, address, shared);
+                            continue;
+                        }
                     }
                 }
-            } else if let Issue::Pair { pool, latency, second } = step.issue {
-                // Apart from plain ones, so that those need not look whether there is a second operand.
-                cold_path();
-                let ready = self.ready[usize::from(second)];
-                if ready > now {
-                    if !self.is_ready_by(now, ready, end, cycles) {
-                        break Stop::Waits;
-                    }
-                    now = ready;
-                    slot = (now - start) as usize % COLUMNS;
+                Kind::Counter => {
+                    self.ask(op.kind, 0, shared);
+                    continue;
                 }
-                if !tables.units.take(pool, slot) {
-                    cold_path();
-                    let Some(next) = wait_for(tables.units, pool, slot, slots, &mut cycles.units) else {
-                        self.time = end;
-                        break Stop::Waits;
-                    };
-                    (slot, now) = (next, start + next as u32);
-                }
-                now + u32::from(latency)
-            } else {
-                cold_path();
-                self.time = now;
-                break Stop::Other;
             };
-            self.set_ready(step.write, ready);
-            slot = (slot + 1) % COLUMNS;
-            rest = next;
-        };
-        if behind != first {
-            self.last_issue = start + behind as u32 - 1;
+            self.retire(program, ready, shared);
         }
-        self.held = !matches!(stop, Stop::Unfetched | Stop::Over);
-        self.pc = (steps.len() - rest.len()) as u32;
-        stop
     }
 
-    /// Waits from cycle `now` until `ready` for an operand; whether that is known and before cycle `end`.
-    #[cold]
-    fn is_ready_by(&mut self, now: u32, ready: u32, end: u32, cycles: &mut ThreadCycles) -> bool {
-        self.time = now;
-        self.waits(ready, cycles) && ready < end
+    /// Whether all operands of `op` are ready: the first, and then the others. If not, the thread waits for them.
+    #[inline(always)]
+    fn has_operands(&mut self, program: &Program, op: &MicroOp, cycles: &mut ThreadCycles) -> bool {
+        let [first, second] = op.reads.map(|entry| self.ready[usize::from(entry)]);
+        let mut others = second;
+        if op.operands != 0 {
+            let further = program.operands_of(op).reads.iter().map(|entry| self.ready[usize::from(*entry)]);
+            others = further.fold(second, u32::max);
+        }
+        self.is_ready(first, cycles) && self.is_ready(others, cycles)
+    }
+
+    /// Whether what can be used from cycle `ready` on can be used now. If not, the thread waits for it.
+    #[inline(always)]
+    fn is_ready(&mut self, ready: u32, cycles: &mut ThreadCycles) -> bool {
+        if ready <= self.time {
+            return true;
+        }
+        cold_path();
+        if ready == UNKNOWN {
+            self.state = State::Parked;
+        } else {
+            cycles.data += u64::from(ready - self.time);
+            self.time = ready;
+        }
+        false
+    }
+
+    /// Asks the chip to serve its operation.
+    fn ask(&mut self, kind: Kind, address: u32, shared: &mut Shared) {
+        self.state = State::Asks;
+        shared.asked.push(Request { cycle: self.time, tm: shared.tm, thread: self.number, kind, address });
+    }
+
+    /// Its operation is issued in this cycle, and what it writes can be used from cycle `ready` on.
+    #[inline(always)]
+    pub fn retire(&mut self, program: &Program, ready: u32, shared: &mut Shared) {
+        let op = &program.code.ops[self.pc as usize];
+        let now = self.time;
+        self.time += 1;
+        if op.operands == 0 && ready != UNKNOWN {
+            self.set_ready(op.write, ready);
+        } else if !self.write(program, op, ready, shared) {
+            // The rest of what it loads is in the next line.
+            shared.cycles.memory += 1;
+            return;
+        }
+        match op.kind {
+            Kind::Nop => shared.cycles.nop += 1,
+            _ => shared.cycles.issue += 1,
+        }
+        self.last_issue = now;
+        self.fetched = false;
+        self.pc += 1;
+        if self.pc == self.behind {
+            self.end_run(program);
+        }
+    }
+
+    /// What `op` writes can be used from cycle `ready` on, or when the line arrives that brings it. Returns false if a load has to
+    /// bring more from the next line.
+    #[inline(never)]
+    fn write(&mut self, program: &Program, op: &MicroOp, ready: u32, shared: &mut Shared) -> bool {
+        let writes = match &program.operands_of(op).writes[..] {
+            [] => std::slice::from_ref(&op.write),
+            several => several,
+        };
+        let mut entries = &writes[usize::from(self.brought)..];
+        if op.kind == Kind::Load {
+            let address = self.address(op);
+            let to_the_end = (shared.line_words - address % shared.line_words) as usize;
+            entries = &entries[..entries.len().min(to_the_end)];
+            if ready == UNKNOWN {
+                let waiters = entries.iter().map(|&entry| Waiter { thread: self.number, entry });
+                waiters.for_each(|waiter| shared.l1.wait(address, waiter));
+            }
+        }
+        entries.iter().for_each(|entry| self.set_ready(*entry, ready));
+        self.brought += entries.len() as u8;
+        let all = usize::from(self.brought) == writes.len();
+        if all {
+            self.brought = 0;
+        }
+        all
     }
 
     /// The register of `entry` can be used from cycle `ready` on.
     #[inline(always)]
-    pub fn set_ready(&mut self, entry: BoardEntry, ready: u32) {
+    fn set_ready(&mut self, entry: BoardEntry, ready: u32) {
         self.ready[usize::from(entry)] = ready;
     }
 
-    /// The thread waits for an operand until cycle `at`; whether that is known.
-    pub fn waits(&mut self, at: u32, cycles: &mut ThreadCycles) -> bool {
-        if at == UNKNOWN {
-            self.state = State::Parked;
-            return false;
+    /// The line that brings the register of `entry` arrives in cycle `arrival`. A thread that is parked looks again whether it
+    /// can go on.
+    pub fn arrives(&mut self, entry: BoardEntry, arrival: u32, cycles: &mut ThreadCycles) {
+        self.set_ready(entry, arrival);
+        if self.state == State::Parked {
+            self.state = State::Runs;
+            let until = arrival.max(self.time);
+            cycles.data += u64::from(until - self.time);
+            self.time = until;
         }
-        cycles.data += u64::from(at - self.time);
-        self.time = at;
-        true
     }
 
-    /// Goes to the run that the tape is at.
+    /// Goes on with the run that its tape is at.
     #[inline(always)]
-    pub fn enter(&mut self, program: &Program, cycles: &mut ThreadCycles) {
-        self.count_issued(program, cycles);
+    pub fn enter(&mut self, program: &Program) {
         let run = &program.code.runs[self.tape[self.at as usize] as usize];
-        self.next = self.at + 1 + run.bases.len() as u32;
-        self.first = run.first;
-        self.pc = run.first;
+        (self.pc, self.behind) = (run.first, run.first + run.length);
     }
 
-    /// Counts what it has issued of its run so far.
-    pub fn count_issued(&self, program: &Program, cycles: &mut ThreadCycles) {
-        let nops = program.code.nops(self.first, self.pc);
-        cycles.issue += u64::from(self.pc - self.first - nops);
-        cycles.nop += u64::from(nops);
-    }
-
-    /// Goes to the next run; false, and an end, if there is none.
+    /// Goes on with the next run of its tape, if there is one.
     #[inline(always)]
-    pub fn advance(&mut self, program: &Program, cycles: &mut ThreadCycles) -> bool {
-        if self.next as usize >= self.tape.len() {
+    fn end_run(&mut self, program: &Program) {
+        let run = &program.code.runs[self.tape[self.at as usize] as usize];
+        let next = self.at + 1 + run.bases.len() as u32;
+        if next as usize == self.tape.len() {
             self.state = State::Ended;
-            return false;
+            return;
         }
-        self.at = self.next;
-        self.enter(program, cycles);
-        true
+        self.at = next;
+        self.enter(program);
     }
 
-    /// The word address that stands so far behind one of the event's.
+    /// The word address that its load or store accesses next.
     #[inline(always)]
-    fn word(&self, base: u8, offset: u16) -> u32 {
-        self.tape[self.at as usize + 1 + usize::from(base)] + u32::from(offset)
-    }
-
-    /// The word address that a memory operation accesses next.
-    pub fn address(&self, op: &MicroOp) -> u32 {
-        self.word(op.base, op.offset) + u32::from(self.part)
-    }
-
-    /// Entries of the words that an access at `address` brings: those up to the end of the line.
-    #[inline(always)]
-    pub fn targets<'p>(
-        &self,
-        program: &'p Program,
-        op: &'p MicroOp,
-        address: u32,
-        line_words: u32,
-    ) -> &'p [BoardEntry] {
-        if op.operands == 0 {
-            return std::slice::from_ref(&op.write);
-        }
-        let entries = &program.operands_of(op).writes[usize::from(self.part)..];
-        let to_the_end = (line_words - address % line_words) as usize;
-        &entries[..entries.len().min(to_the_end)]
-    }
-
-    /// The words that an access at `address` brought can be used from cycle `ready` on; whether these were the last.
-    pub fn loaded(
-        &mut self,
-        program: &Program,
-        op: &MicroOp,
-        address: u32,
-        line_words: u32,
-        ready: u32,
-    ) -> bool {
-        let entries = self.targets(program, op, address, line_words);
-        for &entry in entries {
-            self.set_ready(entry, ready);
-        }
-        self.part += entries.len() as u8;
-        if usize::from(self.part) < program.operands_of(op).writes.len() {
-            return false;
-        }
-        self.part = 0;
-        true
-    }
-
-    #[cold]
-    pub fn write_all(&mut self, program: &Program, op: &MicroOp, ready: u32) {
-        self.set_ready(op.write, ready);
-        for &entry in &program.operands_of(op).writes {
-            self.set_ready(entry, ready);
-        }
-    }
-
-    /// When the further registers can be used that an operation waits for.
-    pub fn more_ready(&self, program: &Program, op: &MicroOp) -> u32 {
-        let reads = &program.operands_of(op).reads;
-        reads.iter().map(|entry| self.ready[usize::from(*entry)]).max().unwrap_or(0)
+    fn address(&self, op: &MicroOp) -> u32 {
+        self.tape[self.at as usize + 1 + usize::from(op.base)]
+            + u32::from(op.offset)
+            + u32::from(self.brought)
     }
 }

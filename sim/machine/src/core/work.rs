@@ -3,8 +3,8 @@
 use crate::program::{Conditions, EntryId, Program, RunId};
 
 /// Work for the threads of a machine.
-pub trait Work: Sync {
-    /// Number of items; thread by thread they are taken from a shared counter.
+pub trait Work {
+    /// Number of items. Threads take them one by one from a shared counter.
     fn items(&self) -> u32;
 
     /// Writes the events of item `item`.

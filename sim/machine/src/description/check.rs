@@ -53,7 +53,7 @@ pub(crate) fn out_of_range(
     DescriptionError::Value { key: key.into(), value: value.to_string(), rule: rule.into() }
 }
 
-/// Threads of a multiprocessor are the bits of a word.
+/// Most threads of a multiprocessor.
 pub(crate) const MAX_THREADS: u32 = 64;
 const MAX_TMS: u32 = 1 << 12;
 /// Most banks of a cache.

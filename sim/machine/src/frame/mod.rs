@@ -8,13 +8,14 @@ mod checker;
 mod layout;
 mod names;
 mod recorder;
+mod recording;
 mod structure;
 mod triangle;
 mod walk;
 
 pub use checker::Checker;
 pub use layout::Layout;
-pub use recorder::Totals;
+pub use recording::Totals;
 pub use structure::{FrameMachine, MachineStructure};
 
 use super::core::{Counts, SimulationError, Tape, Work, simulate};
@@ -181,7 +182,7 @@ pub fn frame(
     scene: &Scene,
     structure: &Structure,
     options: &RenderOptions,
-    pixels_done: impl FnMut(u32) + Send,
+    pixels_done: impl FnMut(u32),
 ) -> Result<Frame, FrameError> {
     assert_eq!(structure.kind(), machine.structure.kind(), "the structure that the machine is set up for");
     traced_frame(machine, scene, structure, Traced::Wide(structure), options, pixels_done)
@@ -201,7 +202,7 @@ pub fn narrow_frame(
     structure: &Structure,
     narrow: &NarrowDst,
     options: &RenderOptions,
-    pixels_done: impl FnMut(u32) + Send,
+    pixels_done: impl FnMut(u32),
 ) -> Result<Frame, FrameError> {
     assert_eq!(
         machine.structure,
@@ -217,7 +218,7 @@ fn traced_frame(
     structure: &Structure,
     traced: Traced<'_>,
     options: &RenderOptions,
-    pixels_done: impl FnMut(u32) + Send,
+    pixels_done: impl FnMut(u32),
 ) -> Result<Frame, FrameError> {
     let work = FrameWork::traced(machine, scene, structure, traced, options, None)?;
     let counts = simulate(&machine.description, &work.program, &work, pixels_done)?;

@@ -2,7 +2,7 @@
 
 use crate::program::{Conditions, EntryId, Program};
 
-/// What a recorder needs; what a program has not is zero and never used.
+/// What a recorder needs. A name that the program does not have is zero, and the recorder never uses it.
 #[allow(missing_docs, reason = "named as in the listings")]
 pub struct Names {
     pub ray: EntryId,

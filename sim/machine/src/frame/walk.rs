@@ -1,6 +1,6 @@
 //! Traversal by the golden steps, in the golden order, as events.
 
-use super::recorder::{Query, State};
+use super::recording::{Query, State};
 use fp::minimum_number;
 use golden::build::MAX_DEPTH;
 use golden::bvh::{BoxStep, Bvh, Bvh2, BvhNode, INDEX, LEAF, box_step};
@@ -9,7 +9,7 @@ use golden::dst::{Child, Code, Dst, Step, step};
 use golden::precision::NarrowDst;
 use golden::ray::PlaneDistances;
 
-/// The root's box; false, and the end of the ray, if it is missed.
+/// Tests the root's box: entry and exit distance. If the ray misses it, the ray ends here.
 fn enter(
     query: &Query<'_>,
     state: &mut State<'_, '_, '_>,
@@ -30,8 +30,8 @@ fn entered(test: BoxStep, query: &Query<'_>, state: &mut State<'_, '_, '_>, leaf
     Some([test.t_entry, test.t_exit])
 }
 
-/// Takes entries from the stack until one begins before the best hit, which is at `nearest`; the end of the ray if there is
-/// none.
+/// Takes entries from the stack until one begins before the best hit, which is at `nearest`. If there is none, the ray ends
+/// here.
 fn pop<T: Copy>(
     stack: &mut Vec<T>,
     t_entry: impl Fn(&T) -> f32,
@@ -76,8 +76,8 @@ pub fn narrow_dst(dst: &NarrowDst, query: &mut Query<'_>, state: &mut State<'_, 
     );
 }
 
-/// `ray` is the query's in the format of the tree, and `limit` makes of the distance of a hit what intervals are compared with;
-/// `stepped` is told of every step.
+/// Traverses with `ray`, the query's ray in the format of the tree. `limit` converts the distance of a hit to what intervals are
+/// compared with. `stepped` is called for every step.
 fn dst_of(
     dst: &Dst,
     ray: &impl PlaneDistances,

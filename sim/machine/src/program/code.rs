@@ -3,7 +3,7 @@
 use super::EntryId;
 use super::isa::{Place, Register};
 use super::listing::{Instruction, Listing};
-use super::run::{Issue, Kind, MicroOp, Operands, Run, Step, pool_of};
+use super::run::{Kind, MicroOp, Operands, Run, pool_of};
 use super::scoreboard::{Accesses, BoardEntry, READY, SINK, Scoreboard, Stretch};
 use crate::description::MachineDescription;
 
@@ -18,14 +18,10 @@ pub struct Route {
 /// What a program executes.
 #[derive(Clone, Debug)]
 pub struct Code {
-    /// Operations of all runs, each run with an [`Issue::End`] behind it.
-    pub steps: Vec<Step>,
-    /// What else there is to know of each.
+    /// Operations of all runs.
     pub ops: Vec<MicroOp>,
     /// Where the instructions of each run execute.
     pub places: Vec<Vec<Place>>,
-    /// Nops before each of them.
-    nops_before: Vec<u32>,
     /// Registers of operations that wait for many or write several; the first are those of all others.
     pub operands: Vec<Operands>,
     /// All runs.
@@ -54,31 +50,12 @@ impl Code {
         };
         let stretches: Vec<Stretch> = source.routes.iter().map(stretch).collect();
         let board = Scoreboard::new(&stretches, source.entries);
-        let mut code = Self {
-            steps: vec![],
-            ops: vec![],
-            places: vec![],
-            nops_before: vec![],
-            operands: vec![Operands::default()],
-            runs: vec![],
-        };
+        let mut code =
+            Self { ops: vec![], places: vec![], operands: vec![Operands::default()], runs: vec![] };
         for number in 0..source.routes.len() {
             code.add_run(source, number, &board);
         }
-        let mut nops = 0;
-        let count = |op: &MicroOp| {
-            let before = nops;
-            nops += u32::from(op.kind == Kind::Nop);
-            before
-        };
-        code.nops_before = code.ops.iter().map(count).collect();
         code
-    }
-
-    /// Nops from one operation up to another of the same run.
-    #[inline(always)]
-    pub fn nops(&self, from: u32, to: u32) -> u32 {
-        self.nops_before[to as usize] - self.nops_before[from as usize]
     }
 
     fn add_run(&mut self, source: &Source<'_>, number: usize, board: &Scoreboard) {
@@ -98,13 +75,10 @@ impl Code {
                 address = (slot as u8, *offset as u16);
             }
             let bank = (at as u32 & (source.machine.icache.banks - 1)) as u8;
-            let (step, op) = self.operation(source, instruction, address, waits, *notes, board);
-            self.steps.push(Step { bank, ..step });
-            self.ops.push(op);
+            let op = self.operation(source, instruction, address, waits, *notes, board);
+            self.ops.push(MicroOp { bank, ..op });
         }
         let length = self.ops.len() as u32 - first;
-        self.steps.push(Step::END);
-        self.ops.push(MicroOp::END);
         let place = |at: &usize| source.listing.instructions[*at].decoded.place;
         self.places.push(route.instructions.iter().map(place).collect());
         self.runs.push(Run { first, length, bases, next: route.to });
@@ -118,7 +92,7 @@ impl Code {
         waits: &[Register],
         notes: bool,
         board: &Scoreboard,
-    ) -> (Step, MicroOp) {
+    ) -> MicroOp {
         let decoded = &instruction.decoded;
         let kind = match decoded.place {
             Place::Nop => Kind::Nop,
@@ -130,27 +104,21 @@ impl Code {
         let entries = |registers: &[Register]| registers.iter().map(|r| board.entry(*r)).collect();
         let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&decoded.writes));
         let write = writes.first().copied().filter(|_| notes).unwrap_or(SINK);
-        let is_pair = kind == Kind::Plain && waits.len() == 2 && writes.len() < 2;
-        let own = if is_pair { 2 } else { 1 };
+        let reads = match waits[..] {
+            [] => [READY; 2],
+            [first, second] => [first, second],
+            [first, ..] => [first, READY],
+        };
         let further = Operands {
             writes: if writes.len() > 1 { writes } else { vec![] },
-            reads: waits.get(own..).unwrap_or_default().to_vec(),
+            reads: if waits.len() > 2 { waits[1..].to_vec() } else { vec![] },
         };
         let operands = self.operands.iter().position(|known| *known == further).unwrap_or_else(|| {
             self.operands.push(further);
             self.operands.len() - 1
         });
         let (pool, latency) = (pool_of(decoded.place), source.latency_cycles(decoded.place) as u8);
-        let issue = match kind {
-            _ if operands != 0 => Issue::Other,
-            _ if is_pair => Issue::Pair { pool, latency, second: waits[1] },
-            Kind::Plain | Kind::Nop => Issue::Plain { pool, latency },
-            Kind::Load => Issue::Load { base, offset },
-            Kind::Store | Kind::Counter => Issue::Other,
-        };
-        let read = waits.first().copied().unwrap_or(READY);
-        let step = Step { read, write, issue, ..Step::END };
-        (step, MicroOp { kind, pool, write, latency, base, offset, operands: operands as u16 })
+        MicroOp { kind, bank: 0, reads, write, pool, latency, base, offset, operands: operands as u16 }
     }
 }
 

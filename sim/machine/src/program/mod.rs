@@ -14,7 +14,7 @@ mod scoreboard;
 pub use code::Code;
 pub use isa::Place;
 pub use listing::{Listing, ListingError};
-pub use run::{COUNTER, Issue, Kind, MicroOp, Operands, PIPELINE, POOLS, Run, RunId, Step, UNLIMITED};
+pub use run::{COUNTER, Kind, MicroOp, Operands, PIPELINE, POOLS, Run, RunId, UNLIMITED};
 pub use scoreboard::{BOARD_ENTRIES, BoardEntry};
 
 use super::description::MachineDescription;

@@ -15,7 +15,7 @@ pub type BoardEntry = u8;
 pub const READY: BoardEntry = 0;
 /// Written for results that need no entry.
 pub const SINK: BoardEntry = 1;
-/// Entries of a scoreboard in memory: as many as an index can have, so that none needs a check. The first are used.
+/// Entries of a scoreboard in memory: one for each value of an index, so that no index needs a check.
 pub const BOARD_ENTRIES: usize = 1 << BoardEntry::BITS;
 
 /// The registers of an operation.
@@ -51,7 +51,7 @@ pub struct Scoreboard {
 }
 
 impl Scoreboard {
-    /// That of a program with these stretches between so many entry points.
+    /// The scoreboard of a program with these stretches between so many entry points.
     pub fn new(stretches: &[Stretch], entries: usize) -> Self {
         // At entry points; grows until it holds for all ways that lead there.
         let mut late: Vec<Lateness> = vec![[0; REGISTERS]; entries];
@@ -140,8 +140,8 @@ fn go_back(
 
 /// By stretch and operation, whether the scoreboard has to know of what it writes.
 ///
-/// It need not if no operation looks before the result is ready and what the scoreboard says instead is not later: then
-/// all who look find the register ready, as they would otherwise.
+/// It need not know if no operation looks before the result is ready, and what the scoreboard says of the register without it is
+/// not later either. Then all operations that look find the register ready, as they would otherwise.
 fn notes(stretches: &[Stretch], waits: &[Vec<Vec<Register>>], late: &[Lateness]) -> Vec<Vec<bool>> {
     // At entry points; shrinks until it holds for all ways that lead on.
     let mut far: Vec<Distance> = vec![[u32::MAX; REGISTERS]; late.len()];

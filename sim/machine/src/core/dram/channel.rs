@@ -144,7 +144,7 @@ impl Channel {
         let no_read = self.reads.iter().all(|request| request.arrival > clock);
         let writing = self.draining || no_read;
         if writing {
-            // A read that has not come yet is looked at when it has.
+            // A read that arrives later is looked at when it arrives.
             soonest = self
                 .reads
                 .iter()
