@@ -1,8 +1,6 @@
 //! The specification: what a tree is, what its nodes mean bit for bit, and what a ray finds in it.
 pub mod aabb;
 pub mod build;
-pub mod bvh;
-pub mod dst;
 pub mod precision;
 pub mod ray;
 mod simd;
@@ -14,3 +12,4 @@ pub mod triangle;
 
 pub use aabb::Aabb;
 pub use ray::{Hit, Mode, Ray, TraversalRay};
+pub use structure::{bvh, dst};

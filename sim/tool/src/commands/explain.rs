@@ -5,15 +5,13 @@ use crate::cli::{ExplainArgs, Global};
 use crate::console::Report;
 use crate::input::{self, Built};
 use anyhow::ensure;
-use golden::bvh::Bvh2;
-use golden::dst::Dst;
+use golden::structure::Structure;
 use golden::traverse::{Counters, Trace};
 use golden::{Hit, Ray, TraversalRay};
 use render::CameraRays;
 use serde::Serialize;
 use std::fmt::Write;
-use std::sync::Arc;
-use studies::walk::{Step, Walk, walk_bvh2, walk_dst};
+use studies::walk::{Step, walk};
 
 #[derive(Serialize)]
 struct Document {
@@ -53,16 +51,11 @@ struct Section {
 }
 
 impl Section {
-    fn new(
-        name: &'static str,
-        structure: &impl Trace,
-        walk: Walk,
-        ray: &TraversalRay,
-    ) -> (Self, Option<Hit>) {
+    fn new(structure: &Structure, ray: &TraversalRay) -> (Self, Option<Hit>) {
         let mut counters = Counters::default();
-        let hit = structure.closest_prepared(ray, &mut counters);
-        assert_eq!(hit, walk.hit, "the walk and the kernel take the same steps");
-        (Self { name, counters: counters.into(), steps: walk.steps }, hit)
+        structure.closest_prepared(ray, &mut counters);
+        let walk = walk(structure, ray);
+        (Self { name: structure.kind().name(), counters: counters.into(), steps: walk.steps }, walk.hit)
     }
 }
 
@@ -77,16 +70,20 @@ pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
     input::set_view(&mut scene, &args.view)?;
     let ray = CameraRays::new(&scene.camera, width, height)?.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
     let built = Built::new(&scene, args.quality.quality)?;
-    let dst = Dst::convert(&built.tree, Arc::clone(&built.triangles))?;
-    let bvh = Bvh2::encode(&built.tree, Arc::clone(&built.triangles));
     let mode = args.mode.mode;
     let Some(prepared) = TraversalRay::new(&ray, mode) else {
         anyhow::bail!(
             "the ray of pixel {x},{y} is outside the supported range: {ray:?}; move --eye or --target"
         );
     };
-    let (dst, hit) = Section::new("dst", &dst, walk_dst(&dst, &prepared), &prepared);
-    let (bvh, _) = Section::new("bvh2", &bvh, walk_bvh2(&bvh, &prepared), &prepared);
+    let (mut structures, mut hits) = (vec![], vec![]);
+    for &kind in &args.structure {
+        let (section, hit) = Section::new(&built.convert(kind)?.0, &prepared);
+        structures.push(section);
+        hits.push(hit);
+    }
+    let hit = hits[0];
+    assert!(hits.iter().all(|other| *other == hit), "all structures give the same hit");
     let Ray { origin, direction, t_min, t_max } = ray;
     let document = Document {
         scene: scene.name,
@@ -96,7 +93,7 @@ pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
         size: [width, height],
         ray: RayRow { origin, direction, t_min, t_max: t_max.is_finite().then_some(t_max) },
         hit: hit.map(|Hit { t, u, v, triangle }| HitRow { t, u, v, triangle }),
-        structures: vec![dst, bvh],
+        structures,
     };
     let text = text(&document);
     Ok(Report::new(&document, text))

@@ -115,6 +115,7 @@ fn simulate_scene(
     let built = Built::new(&scene, args.quality.quality)?;
     let structures = StructureKind::ALL
         .into_par_iter()
+        .filter(|kind| open.iter().any(|(job, ..)| job.structure.kind() == *kind))
         .map(|kind| Ok(built.convert(kind)?.0))
         .collect::<anyhow::Result<Vec<Structure>>>()?;
     let bar = progress(open.len() as u64, name);
