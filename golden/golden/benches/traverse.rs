@@ -16,7 +16,7 @@ use divan::counter::ItemsCount;
 use golden::build::{BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::traverse::Trace;
-use golden::{Mode, Ray};
+use golden::{Mode, Ray, with_structure};
 use nalgebra::{Point3, Vector3};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::Bvh2;
@@ -69,43 +69,33 @@ fn make(name: &str) -> Workload {
     Workload { mesh, structures, rays: BTreeMap::from([("primary", primary), ("diffuse", diffuse)]) }
 }
 
-fn structure(
-    bencher: Bencher<'_, '_>,
-    (name, rays): &(String, &'static str),
-    kind: StructureKind,
-    mode: Mode,
-) {
+/// Structure, scene and kind of rays.
+type Traced = (StructureKind, String, &'static str);
+
+fn traced() -> Vec<Traced> {
+    let of = |kind| workloads().into_iter().map(move |(name, rays)| (kind, name, rays));
+    StructureKind::ALL.into_iter().flat_map(of).collect()
+}
+
+#[divan::bench(args = traced())]
+fn fast(bencher: Bencher<'_, '_>, traced: &Traced) {
+    trace(bencher, traced, Mode::Fast);
+}
+
+#[divan::bench(args = traced())]
+fn robust(bencher: Bencher<'_, '_>, traced: &Traced) {
+    trace(bencher, traced, Mode::Robust);
+}
+
+fn trace(bencher: Bencher<'_, '_>, (kind, name, rays): &Traced, mode: Mode) {
     fn run(bencher: Bencher<'_, '_>, rays: &[Ray], structure: &impl Trace, mode: Mode) {
         bencher
             .counter(ItemsCount::new(rays.len()))
             .bench(|| rays.iter().filter(|ray| structure.closest(ray, mode).is_some()).count());
     }
     let workload = workload(name);
-    let rays = &workload.rays[rays];
-    match workload.structures.iter().find(|s| s.kind() == kind).expect("every kind is made") {
-        Structure::Bvh2(s) => run(bencher, rays, s, mode),
-        Structure::Bvh4(s) => run(bencher, rays, s, mode),
-        Structure::Bvh8(s) => run(bencher, rays, s, mode),
-        Structure::Dst(s) => run(bencher, rays, s, mode),
-    }
-}
-
-macro_rules! structures {
-    ($($name:ident: $kind:ident, $mode:ident;)*) => {$(
-        #[divan::bench(args = workloads())]
-        fn $name(bencher: Bencher<'_, '_>, workload: &(String, &'static str)) {
-            structure(bencher, workload, StructureKind::$kind, Mode::$mode);
-        }
-    )*};
-}
-
-structures! {
-    bvh2_fast: Bvh2, Fast;
-    bvh2_robust: Bvh2, Robust;
-    bvh4_robust: Bvh4, Robust;
-    bvh8_robust: Bvh8, Robust;
-    dst_fast: Dst, Fast;
-    dst_robust: Dst, Robust;
+    let structure = workload.structures.iter().find(|s| s.kind() == *kind).expect("every kind is made");
+    with_structure!(structure, structure => run(bencher, &workload.rays[rays], structure, mode));
 }
 
 #[divan::bench(args = workloads())]

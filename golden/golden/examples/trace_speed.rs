@@ -13,7 +13,7 @@ mod support;
 use golden::build::{BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::traverse::Trace;
-use golden::{Mode, Ray};
+use golden::{Mode, Ray, with_structure};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::ray::RayHit;
@@ -89,13 +89,7 @@ fn compare(name: &str, mesh: &scenes::Mesh) {
             0 => trace_peer(rays),
             _ => {
                 let mode = if i % 2 == 1 { Mode::Fast } else { Mode::Robust };
-                let trace = &ours[(i - 1) / 2];
-                match trace {
-                    Structure::Bvh2(s) => trace_all(s, rays, mode),
-                    Structure::Bvh4(s) => trace_all(s, rays, mode),
-                    Structure::Bvh8(s) => trace_all(s, rays, mode),
-                    Structure::Dst(s) => trace_all(s, rays, mode),
-                }
+                with_structure!(&ours[(i - 1) / 2], structure => trace_all(structure, rays, mode));
             }
         };
         for _ in 0..ROUNDS {

@@ -40,8 +40,6 @@
 
 pub mod aabb;
 pub mod build;
-pub mod bvh;
-pub mod dst;
 pub mod precision;
 pub mod ray;
 mod simd;
@@ -53,3 +51,4 @@ pub mod triangle;
 
 pub use aabb::Aabb;
 pub use ray::{Hit, Mode, Ray, TraversalRay};
+pub use structure::{bvh, dst};

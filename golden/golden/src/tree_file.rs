@@ -3,7 +3,7 @@
 //! | bytes | content |
 //! |---|---|
 //! | 8 | `DSTREE` and two decimal digits of the version, `01` |
-//! | 4 | 0 for a dual-split tree, else the width of a hierarchy of boxes: 2, 4 or 8 |
+//! | 4 | the structure's code (see [`crate::structure`]) |
 //! | 4 | word 0 of the root of a hierarchy of boxes, else 0 |
 //! | 24 | the root box: minimum, maximum |
 //! | 8, 8 | number of 32-bit words of the nodes, number of triangles |
@@ -14,11 +14,10 @@
 //! and forgery end in an error and never in a traversal.
 
 use crate::Aabb;
-use crate::bvh::{Bvh, BvhDefect, BvhNode};
-use crate::dst::{Dst, DstDefect};
-use crate::structure::Structure;
+use crate::structure::{Memory, Structure, StructureKind};
 use crate::triangle::Triangle;
 use base::output::{WriteError, write_file};
+use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -75,17 +74,28 @@ pub enum Damage {
         expected: u32,
     },
     /// There is no such structure.
-    #[error("structure code {0} is none of 0, 2, 4, 8")]
+    #[error("structure code {0} is none of {codes}", codes = codes())]
     Kind(u32),
-    /// The nodes are no hierarchy of boxes.
-    #[error(transparent)]
-    Bvh(#[from] BvhDefect),
-    /// The nodes are no dual-split tree.
-    #[error(transparent)]
-    Dst(#[from] DstDefect),
+    /// The nodes are none of the structure that they should be; the structure's own defect in words.
+    #[error("{0}")]
+    Nodes(String),
     /// A triangle has a corner that is infinite or not a number, or a word that is none.
     #[error("triangle {0} is not one")]
     Triangle(usize),
+}
+
+impl Damage {
+    /// A structure's defect, as what is wrong with the file.
+    pub(crate) fn nodes(defect: impl Error) -> Self {
+        Self::Nodes(defect.to_string())
+    }
+}
+
+/// The codes of all structures in ascending order, for messages.
+fn codes() -> String {
+    let mut codes = StructureKind::ALL.map(StructureKind::code);
+    codes.sort_unstable();
+    codes.map(|code| code.to_string()).join(", ")
 }
 
 /// Writes `structure` to `path`, whole or not at all; an existing file is replaced only if `force` is set.
@@ -108,20 +118,12 @@ pub fn load(path: &Path) -> Result<Structure, TreeFileError> {
 /// The contents of the file of `structure`.
 #[must_use]
 pub fn to_bytes(structure: &Structure) -> Vec<u8> {
-    fn boxes<const N: usize>(bvh: &Bvh<N>) -> (u32, u32, &Aabb, &[u32], &[Triangle]) {
-        (N as u32, bvh.root, &bvh.root_box, bytemuck::cast_slice(&bvh.nodes), &bvh.triangles)
-    }
-    let (code, root, root_box, words, triangles) = match structure {
-        Structure::Bvh2(bvh) => boxes(bvh),
-        Structure::Bvh4(bvh) => boxes(bvh),
-        Structure::Bvh8(bvh) => boxes(bvh),
-        Structure::Dst(dst) => (0, 0, &dst.root_box, dst.words(), &dst.triangles[..]),
-    };
+    let Memory { root_box, root, words, triangles } = structure.memory();
     let mut bytes = vec![];
     bytes.extend(MAGIC);
     bytes.extend(VERSION);
     let triangle_words: &[u32] = bytemuck::cast_slice(triangles);
-    for word in [code, root].into_iter().chain(root_box.to_bits()) {
+    for word in [structure.kind().code(), root].into_iter().chain(root_box.to_bits()) {
         bytes.extend(word.to_le_bytes());
     }
     for count in [words.len(), triangles.len()] {
@@ -170,41 +172,15 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Structure, Damage> {
     if let Some(slot) = triangles.iter().position(|triangle| !triangle.is_valid()) {
         return Err(Damage::Triangle(slot));
     }
-    match code {
-        0 => {
-            let dst = Dst::new(root_box, words, triangles);
-            dst.validate_alone()?;
-            Ok(Structure::Dst(dst))
-        }
-        2 => Ok(Structure::Bvh2(boxes(root_box, root, &words, triangles)?)),
-        4 => Ok(Structure::Bvh4(boxes(root_box, root, &words, triangles)?)),
-        8 => Ok(Structure::Bvh8(boxes(root_box, root, &words, triangles)?)),
-        other => Err(Damage::Kind(other)),
-    }
-}
-
-fn boxes<const N: usize>(
-    root_box: Aabb,
-    root: u32,
-    words: &[u32],
-    triangles: Arc<[Triangle]>,
-) -> Result<Bvh<N>, Damage> {
-    let words_per_node = BvhNode::WORDS as usize;
-    if !words.len().is_multiple_of(words_per_node) {
-        let expected = words.len().next_multiple_of(words_per_node) as u128 * 4;
-        return Err(Damage::Length { found: words.len() * 4, expected });
-    }
-    let nodes = bytemuck::cast_slice(words).to_vec();
-    let bvh = Bvh { root_box, root, nodes, triangles };
-    bvh.validate()?;
-    Ok(bvh)
+    let kind = StructureKind::from_code(code).ok_or(Damage::Kind(code))?;
+    Structure::from_memory(kind, root_box, root, words, triangles)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::build::{BuildOptions, build};
-    use crate::structure::{StructureKind, pack_triangles};
+    use crate::structure::pack_triangles;
     use scenes::Mesh;
 
     fn structures() -> Vec<Structure> {

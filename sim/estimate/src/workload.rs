@@ -5,11 +5,11 @@ use std::cell::RefCell;
 use equivalence::Ports;
 use equivalence::cases::{BoxCase, NodeCase, visited_nodes};
 use golden::build::{BuildOptions, Quality, build};
-use golden::bvh::Bvh2;
+use golden::bvh::{Bvh2, BvhNode};
 use golden::dst::Dst;
 use golden::dst::header::{AXIS, CARVE, LEAF, SINGLE};
 use golden::structure::pack_triangles;
-use golden::traverse::{Tests, Trace, Traversal};
+use golden::traverse::{Node, Observer, Trace};
 use golden::{Mode, TraversalRay};
 use pipelines::catalogue::Top;
 use render::{RenderOptions, Test, render};
@@ -84,9 +84,9 @@ struct Boxes<'a> {
     found: &'a RefCell<Vec<BoxCase>>,
 }
 
-impl Traversal for Boxes<'_> {
-    fn node(&mut self, word_address: u32, words: u32, _: Tests) {
-        let node = &self.bvh.nodes[(word_address / words) as usize];
+impl Observer for Boxes<'_> {
+    fn node(&mut self, node: &Node) {
+        let node = &self.bvh.nodes[node.address as usize / size_of::<BvhNode>()];
         self.found.borrow_mut().push(BoxCase::new(&node.aabb, self.ray));
     }
 }
@@ -144,14 +144,15 @@ impl Workload {
     /// The values of all inputs for each operation, back to back.
     ///
     /// # Errors
-    /// None for pipelines.
+    /// [`EstimateError::NoPipeline`] if there are no operations for it.
     pub fn streams(&self, implementation: &Implementation) -> Result<Vec<Vec<u128>>, EstimateError> {
         Ok(match implementation.top {
             Top::RayBox | Top::RayBoxLean => {
                 let ports = Ports::new(&implementation.flat).bounds(None);
                 self.drive(implementation, &self.boxes, |inputs, case| ports.drive(inputs, case))
             }
-            _ => self.nodes_of(implementation, |_| true),
+            Top::DualSplit | Top::DualSplitLean => self.nodes_of(implementation, |_| true),
+            other => return Err(EstimateError::NoPipeline(other)),
         })
     }
 

@@ -199,9 +199,9 @@ mod tests {
     use equivalence::Stimulus;
     use lanes::{Compiled, LANES};
     use netlist::Engine;
-    use testing::tools::available;
     use netlist::{Change, Mutation, flatten, mutate};
     use pipelines::catalogue::{StandardFormat, Top};
+    use testing::tools::available;
 
     /// All outputs of a compiled top in every cycle, lane after lane.
     fn compiled(top: Top, cycles: &[Vec<Vec<u64>>]) -> Vec<Vec<Vec<u64>>> {

@@ -13,10 +13,10 @@
 use equivalence::Ports;
 use equivalence::cases::{BoxCase, visited_nodes};
 use golden::build::BinaryTree;
-use golden::bvh::{Bvh, BvhNode, SIBLINGS};
-use golden::dst::{Dst, DstError};
-use golden::structure::{Structure, StructureKind};
-use golden::traverse::{Tests, Trace, Traversal};
+use golden::bvh::{Bvh, BvhNode};
+use golden::dst::Dst;
+use golden::structure::{StructureFormat, TooLarge};
+use golden::traverse::{Node, Observer, Trace};
 use golden::triangle::Triangle;
 use golden::{Aabb, TraversalRay};
 use netlist::{ElaborateError, Evaluator, Flat, NodeId, flatten, register_depths};
@@ -33,9 +33,9 @@ const SHARED_UNITS: usize = 8;
 /// Why there are no inputs.
 #[derive(Debug, thiserror::Error)]
 pub enum DriveError {
-    /// The scene is too large for a dual-split tree.
+    /// The scene is too large for a structure.
     #[error(transparent)]
-    Dst(#[from] DstError),
+    TooLarge(#[from] TooLarge),
     /// A unit does not elaborate.
     #[error(transparent)]
     Catalogue(#[from] CatalogueError),
@@ -69,10 +69,10 @@ pub fn cycles(
     idle[ports.input("en_i")] = 1;
     let mut cycles = match unit {
         Top::DualSplit | Top::DualSplitLean => traversals.nodes(&ports, &idle)?,
-        Top::RayBox | Top::RayBoxLean => traversals.boxes(StructureKind::Bvh2, 1, &ports, &idle)?,
-        Top::RayBoxX2 => traversals.boxes(StructureKind::Bvh2, 2, &ports, &idle)?,
-        Top::RayBoxX4 => traversals.boxes(StructureKind::Bvh4, 4, &ports, &idle)?,
-        Top::RayBoxX8 => traversals.boxes(StructureKind::Bvh8, 8, &ports, &idle)?,
+        Top::RayBox | Top::RayBoxLean => traversals.boxes::<2>(1, &ports, &idle)?,
+        Top::RayBoxX2 => traversals.boxes::<2>(2, &ports, &idle)?,
+        Top::RayBoxX4 => traversals.boxes::<4>(4, &ports, &idle)?,
+        Top::RayBoxX8 => traversals.boxes::<8>(8, &ports, &idle)?,
         Top::SharedUnits => return traversals.routed(&ports, &idle),
         Top::IntAdd | Top::FpAdd | Top::FpMul | Top::FpMinMax | Top::FpCmp => {
             traversals.operands(unit, netlist)?
@@ -96,20 +96,20 @@ impl Traversals<'_> {
         Ok(visited_nodes(&dst, self.rays).iter().map(drive).collect())
     }
 
-    /// Boxes in groups of `lanes`; a lane without a child gets an empty box, which no ray meets.
-    fn boxes(
+    /// Boxes of the hierarchy with up to `N` to a node in groups of `lanes`; a lane without a child gets an empty box, which
+    /// no ray meets.
+    fn boxes<const N: usize>(
         &self,
-        kind: StructureKind,
         lanes: usize,
         ports: &Ports<'_>,
         idle: &[u128],
     ) -> Result<Vec<Vec<u128>>, DriveError> {
-        let structure = Structure::convert(kind, self.tree, self.triangles)?;
+        let bvh = Bvh::<N>::convert(self.tree, Arc::clone(self.triangles))?;
         let lane = |i: usize| ports.bounds((lanes > 1).then_some(i));
         let lane_ports: Vec<_> = (0..lanes).map(lane).collect();
         let mut cycles = Vec::new();
         for ray in self.rays {
-            for group in siblings(&structure, ray) {
+            for group in siblings(&bvh, ray) {
                 for boxes in group.chunks(lanes) {
                     let mut inputs = idle.to_vec();
                     inputs[ports.input("valid_i")] = 1;
@@ -126,36 +126,27 @@ impl Traversals<'_> {
 }
 
 /// The scene's box, and then the children of every inner node that the search for the closest hit visits.
-fn siblings(structure: &Structure, ray: &TraversalRay) -> Vec<Vec<Aabb>> {
-    match structure {
-        Structure::Bvh2(bvh) => visited_siblings(bvh, ray),
-        Structure::Bvh4(bvh) => visited_siblings(bvh, ray),
-        Structure::Bvh8(bvh) => visited_siblings(bvh, ray),
-        Structure::Dst(_) => unreachable!("a dual-split tree has no boxes"),
-    }
-}
-
-fn visited_siblings<const N: usize>(bvh: &Bvh<N>, ray: &TraversalRay) -> Vec<Vec<Aabb>> {
-    let mut recorder = Recorder { nodes: &bvh.nodes, groups: vec![vec![bvh.root_box]], missing: 0 };
+fn siblings<const N: usize>(bvh: &Bvh<N>, ray: &TraversalRay) -> Vec<Vec<Aabb>> {
+    let mut recorder = Recorder { bvh, groups: vec![vec![bvh.root_box]], missing: 0 };
     bvh.closest_prepared(ray, &mut recorder);
     recorder.groups
 }
 
 /// Collects the boxes that a traversal tests, those of siblings together.
-struct Recorder<'b> {
-    nodes: &'b [BvhNode],
+struct Recorder<'b, const N: usize> {
+    bvh: &'b Bvh<N>,
     groups: Vec<Vec<Aabb>>,
     /// Siblings of the last group that have not been tested yet.
     missing: u32,
 }
 
-impl Traversal for Recorder<'_> {
-    fn node(&mut self, word_address: u32, _words: u32, _tests: Tests) {
-        let node = &self.nodes[(word_address / BvhNode::WORDS) as usize];
+impl<const N: usize> Observer for Recorder<'_, N> {
+    fn node(&mut self, node: &Node) {
+        let node = &self.bvh.nodes[node.address as usize / size_of::<BvhNode>()];
         match self.groups.last_mut().filter(|_| self.missing > 0) {
             Some(group) => group.push(node.aabb),
             None => {
-                self.missing = SIBLINGS.get(node.word) + 1;
+                self.missing = Bvh::<N>::SIBLINGS.get(node.word) + 1;
                 self.groups.push(vec![node.aabb]);
             }
         }
@@ -244,7 +235,7 @@ impl Traversals<'_> {
             idle[mode] = routing;
             let cycles = match routing {
                 2 => self.nodes(ports, &idle)?,
-                1 => self.boxes(StructureKind::Bvh2, 1, ports, &idle)?,
+                1 => self.boxes::<2>(1, ports, &idle)?,
                 _ => self.threads(ports, &idle)?,
             };
             operations += cycles.len();

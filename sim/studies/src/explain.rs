@@ -1,18 +1,16 @@
-//! The traversal of one pixel's primary ray, step by step, in the dual-split tree and in the BVH2.
+//! The traversal of one pixel's primary ray, step by step, in any structures.
 
 use crate::input::{Built, SceneSource, View};
 use crate::progress::Progress;
-use crate::walk::{Step, Walk, walk_bvh2, walk_dst};
+use crate::walk::{Step, walk};
 use crate::work::CounterRow;
 use anyhow::ensure;
 use golden::build::Quality;
-use golden::bvh::Bvh2;
-use golden::dst::Dst;
+use golden::structure::{Structure, StructureKind};
 use golden::traverse::{Counters, Trace};
 use golden::{Hit, Mode, Ray, TraversalRay};
 use render::CameraRays;
 use serde::Serialize;
-use std::sync::Arc;
 
 /// Which ray of which scene.
 #[derive(Clone, Debug)]
@@ -29,9 +27,11 @@ pub struct Options {
     pub mode: Mode,
     /// Of the trees.
     pub quality: Quality,
+    /// What is traced through, in this order; at least one.
+    pub structures: Vec<StructureKind>,
 }
 
-/// A ray and its way through both structures.
+/// A ray and its way through the structures.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Explanation {
@@ -77,16 +77,11 @@ pub struct Section {
 }
 
 impl Section {
-    fn new(
-        name: &'static str,
-        structure: &impl Trace,
-        walk: Walk,
-        ray: &TraversalRay,
-    ) -> (Self, Option<Hit>) {
+    fn new(structure: &Structure, ray: &TraversalRay) -> (Self, Option<Hit>) {
         let mut counters = Counters::default();
-        let hit = structure.closest_prepared(ray, &mut counters);
-        assert_eq!(hit, walk.hit, "the walk and the kernel take the same steps");
-        (Self { name, counters: counters.into(), steps: walk.steps }, hit)
+        structure.closest_prepared(ray, &mut counters);
+        let walk = walk(structure, ray);
+        (Self { name: structure.kind().name(), counters: counters.into(), steps: walk.steps }, walk.hit)
     }
 }
 
@@ -105,16 +100,20 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Explanatio
     args.view.apply(&mut scene)?;
     let ray = CameraRays::new(&scene.camera, width, height)?.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
     let built = Built::new(&scene, args.quality, progress)?;
-    let dst = Dst::convert(&built.tree, Arc::clone(&built.triangles))?;
-    let bvh = Bvh2::encode(&built.tree, Arc::clone(&built.triangles));
     let mode = args.mode;
     let Some(prepared) = TraversalRay::new(&ray, mode) else {
         anyhow::bail!(
             "the ray of pixel {x},{y} is outside the supported range: {ray:?}; move --eye or --target"
         );
     };
-    let (dst, hit) = Section::new("dst", &dst, walk_dst(&dst, &prepared), &prepared);
-    let (bvh, _) = Section::new("bvh2", &bvh, walk_bvh2(&bvh, &prepared), &prepared);
+    let (mut structures, mut hits) = (vec![], vec![]);
+    for &kind in &args.structures {
+        let (section, hit) = Section::new(&built.convert(kind)?.0, &prepared);
+        structures.push(section);
+        hits.push(hit);
+    }
+    let hit = hits.first().copied().flatten();
+    assert!(hits.iter().all(|other| *other == hit), "all structures give the same hit");
     let Ray { origin, direction, t_min, t_max } = ray;
     Ok(Explanation {
         scene: scene.name,
@@ -124,6 +123,6 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Explanatio
         size: [width, height],
         ray: RayRow { origin, direction, t_min, t_max: t_max.is_finite().then_some(t_max) },
         hit: hit.map(|Hit { t, u, v, triangle }| HitRow { t, u, v, triangle }),
-        structures: vec![dst, bvh],
+        structures,
     })
 }

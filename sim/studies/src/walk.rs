@@ -1,9 +1,8 @@
-//! The traversal of one ray step by step, as the specification's steps take it.
+//! The traversal of one ray step by step: its events, in words.
 
-use golden::bvh::{Bvh2, INDEX, LEAF, box_step};
-use golden::dst::header::{Header, OFFSET, SIZE};
-use golden::dst::{Code, Dst, step};
-use golden::triangle::{Triangle, TriangleTest};
+use golden::bvh::box_step;
+use golden::structure::{NodeWords, Structure};
+use golden::traverse::{Node, Observer, Outcome, Part, Target, Trace};
 use golden::{Hit, TraversalRay};
 use serde::Serialize;
 
@@ -20,7 +19,7 @@ pub enum Step {
         /// Where the ray leaves it.
         t_exit: f32,
     },
-    /// A dual-split node is visited.
+    /// A node is visited that cuts the box of the one above.
     Node {
         /// Word offset of the node.
         offset: u32,
@@ -35,7 +34,7 @@ pub enum Step {
         /// What survives.
         outcome: String,
     },
-    /// A BVH node's box is tested.
+    /// A node's own box is tested.
     Box {
         /// Number of the node in memory.
         node: u32,
@@ -86,175 +85,84 @@ pub struct Walk {
     pub hit: Option<Hit>,
 }
 
-/// Walks through a dual-split tree.
+/// Walks through `structure`.
 ///
 /// # Panics
-/// If the tree is not valid.
+/// If the structure is not valid.
 #[must_use]
-pub fn walk_dst(dst: &Dst, ray: &TraversalRay) -> Walk {
-    let mut log = Log::new(ray, &dst.triangles);
-    let root = box_step(&dst.root_box, ray, ray.t_min, ray.t_max);
-    log.steps.push(Step::Root { hit: root.hit, t_entry: root.t_entry, t_exit: root.t_exit });
-    let mut stack = vec![];
-    let mut next = root.hit.then_some((0, root.t_entry, root.t_exit));
-    while let Some((offset, t_min, t_max)) = next {
-        let words = dst.node(offset);
-        let outcome = step(words, ray, t_min, t_max);
-        let (near, far) = (outcome.near, outcome.far);
-        let header = Header::decode(words[0]).expect("a valid tree");
-        let planes = if matches!(header, Header::Leaf { .. }) { 0 } else { 2 };
-        log.steps.push(Step::Node {
-            offset,
-            header: describe(header, words[0]),
-            planes: words[1..1 + planes].iter().map(|word| f32::from_bits(*word)).collect(),
-            t_min,
-            t_max,
-            outcome: match outcome.code {
-                Code::Miss => "nothing".to_owned(),
-                Code::One => format!("@{} [{}, {}]", near.offset, near.t_min, near.t_max),
-                Code::Two => format!(
-                    "@{} [{}, {}] then @{} [{}, {}]",
-                    near.offset, near.t_min, near.t_max, far.offset, far.t_min, far.t_max
-                ),
-                Code::Leaf => format!("leaf at {} [{}, {}]", near.offset, near.t_min, near.t_max),
-            },
-        });
-        next = match outcome.code {
-            Code::One => Some((near.offset, near.t_min, near.t_max)),
-            Code::Two => {
-                stack.push((far.offset, far.t_min, far.t_max));
-                log.steps.push(Step::Push {
-                    offset: far.offset,
-                    t_min: far.t_min,
-                    depth: stack.len() as u32,
-                });
-                Some((near.offset, near.t_min, near.t_max))
-            }
-            Code::Leaf => {
-                log.leaf(near.offset);
-                None
-            }
-            Code::Miss => None,
-        };
-        while next.is_none() {
-            let Some((offset, t_min, t_max)) = stack.pop() else { break };
-            let discarded = t_min > log.t_max;
-            log.steps.push(Step::Pop { offset, discarded });
-            if !discarded {
-                next = Some((offset, t_min, t_max.min(log.t_max)));
-            }
-        }
-    }
-    log.finish()
+pub fn walk(structure: &Structure, ray: &TraversalRay) -> Walk {
+    let root = box_step(structure.memory().root_box, ray, ray.t_min, ray.t_max);
+    let root = Step::Root { hit: root.hit, t_entry: root.t_entry, t_exit: root.t_exit };
+    let mut log = Log { structure, steps: vec![root] };
+    let hit = structure.closest_prepared(ray, &mut log);
+    Walk { steps: log.steps, hit }
 }
 
-/// Walks through a binary hierarchy of boxes.
-///
-/// # Panics
-/// If the hierarchy is not valid.
-#[must_use]
-pub fn walk_bvh2(bvh: &Bvh2, ray: &TraversalRay) -> Walk {
-    let mut log = Log::new(ray, &bvh.triangles);
-    let root = box_step(&bvh.root_box, ray, ray.t_min, ray.t_max);
-    log.steps.push(Step::Root { hit: root.hit, t_entry: root.t_entry, t_exit: root.t_exit });
-    let mut stack: Vec<(u32, f32)> = vec![];
-    let mut next = root.hit.then_some(bvh.root);
-    while let Some(word) = next.take() {
-        if LEAF.get(word) == 1 {
-            log.leaf(INDEX.get(word));
-        } else {
-            let mut hit = vec![];
-            for (node, child) in (INDEX.get(word)..).zip(bvh.children(word)) {
-                let test = box_step(&child.aabb, ray, ray.t_min, log.t_max);
-                let (t_entry, t_exit) = (test.t_entry, test.t_exit);
-                let leaf = LEAF.get(child.word) == 1;
-                log.steps.push(Step::Box { node, leaf, hit: test.hit, t_entry, t_exit });
-                if test.hit {
-                    hit.push((child.word, t_entry));
-                }
-            }
-            // Stable: children at equal distance are visited in the order of memory.
-            hit.sort_by(|a, b| a.1.total_cmp(&b.1));
-            for &(word, t_min) in hit.iter().skip(1).rev() {
-                stack.push((word, t_min));
-                let depth = stack.len() as u32;
-                log.steps.push(Step::Push { offset: INDEX.get(word), t_min, depth });
-            }
-            next = hit.first().map(|(word, _)| *word);
-        }
-        while next.is_none() {
-            let Some((word, t_min)) = stack.pop() else { break };
-            let discarded = t_min > log.t_max;
-            log.steps.push(Step::Pop { offset: INDEX.get(word), discarded });
-            if !discarded {
-                next = Some(word);
-            }
-        }
-    }
-    log.finish()
-}
-
-fn describe(header: Header, word: u32) -> String {
-    let axis = |axis: u32| ["x", "y", "z"][axis as usize];
-    let end = |leaf: bool, offset: u32| {
-        if leaf { format!("leaf at {offset}") } else { format!("child @{offset}") }
-    };
-    match header {
-        Header::Split { axis: a, .. } => {
-            let left = OFFSET.get(word);
-            format!("split {}, left @{left}, right @{}", axis(a), left + SIZE.get(word))
-        }
-        Header::CarveSingle { axis: a, leaf, offset } => {
-            format!("carve {0} max, {0} min, {1}", axis(a), end(leaf, offset))
-        }
-        Header::CarveDual { axes, is_min, leaf, offset } => {
-            let side = |i: usize| if is_min[i] { "min" } else { "max" };
-            let (first, second) = (axis(axes[0]), axis(axes[1]));
-            format!("carve {first} {}, {second} {}, {}", side(0), side(1), end(leaf, offset))
-        }
-        Header::Leaf { first_triangle } => end(true, first_triangle),
-    }
-}
-
+/// Writes the events of a traversal down as steps.
 struct Log<'a> {
-    ray: &'a TraversalRay,
-    test: TriangleTest,
-    triangles: &'a [Triangle],
+    structure: &'a Structure,
     steps: Vec<Step>,
-    /// Distance of the best hit, at first the end of the ray.
-    t_max: f32,
-    best: Option<Hit>,
 }
 
-impl<'a> Log<'a> {
-    fn new(ray: &'a TraversalRay, triangles: &'a [Triangle]) -> Self {
-        Self { ray, test: TriangleTest::new(ray), triangles, steps: vec![], t_max: ray.t_max, best: None }
+impl Log<'_> {
+    /// What the structure calls the place that is `address` bytes from its start.
+    fn offset(&self, address: u64) -> u32 {
+        (address / u64::from(self.structure.address_bytes())) as u32
     }
 
-    fn leaf(&mut self, first: u32) {
-        for (slot, packed) in (first..).zip(&self.triangles[first as usize..]) {
-            let triangle = packed.index();
-            let found = self.test.intersect(self.ray, packed, self.t_max);
-            let best = found.filter(|hit| self.best.is_none_or(|b| hit.t < b.t || triangle < b.triangle));
-            self.steps.push(Step::Triangle {
-                slot,
-                triangle,
-                t: found.map(|hit| hit.t),
-                best: best.is_some(),
-            });
-            if let Some(hit) = best {
-                self.t_max = hit.t;
-                self.best = Some(Hit { t: hit.t, u: hit.u, v: hit.v, triangle });
-            }
-            if packed.is_last() {
-                break;
-            }
+    fn place(&self, target: Target) -> u32 {
+        match target {
+            Target::Node(address) => self.offset(address),
+            Target::Leaf(slot) => slot,
         }
     }
 
-    fn finish(self) -> Walk {
-        let given = |hit: Hit| Hit { t: self.ray.given_t(hit.t), ..hit };
-        Walk { hit: self.best.map(given), steps: self.steps }
+    fn outcome(&self, outcome: &Outcome) -> String {
+        let part = |part: &Part| {
+            let Part { target, t_min, t_max } = *part;
+            let kind = if matches!(target, Target::Leaf(_)) { "leaf at " } else { "@" };
+            format!("{kind}{} [{t_min}, {t_max}]", self.place(target))
+        };
+        match outcome {
+            Outcome::Nothing => "nothing".to_owned(),
+            Outcome::One(only) => part(only),
+            Outcome::Two(near, far) => format!("{} then {}", part(near), part(far)),
+        }
+    }
+}
+
+impl Observer for Log<'_> {
+    fn node(&mut self, node: &Node) {
+        let &Node { address, t_min, t_max, outcome, .. } = node;
+        let offset = self.offset(address);
+        self.steps.push(match self.structure.node_words(address) {
+            NodeWords::Box { leaf } => {
+                let hit = outcome != Outcome::Nothing;
+                Step::Box { node: offset, leaf, hit, t_entry: t_min, t_exit: t_max }
+            }
+            NodeWords::Planes { header, planes } => {
+                Step::Node { offset, header, planes, t_min, t_max, outcome: self.outcome(&outcome) }
+            }
+        });
+    }
+
+    fn triangle(&mut self, slot: u32, t: Option<f32>) {
+        let triangle = self.structure.triangles()[slot as usize].index();
+        self.steps.push(Step::Triangle { slot, triangle, t, best: false });
+    }
+
+    fn hit(&mut self, _slot: u32, _t: f32) {
+        if let Some(Step::Triangle { best, .. }) = self.steps.last_mut() {
+            *best = true;
+        }
+    }
+
+    fn push(&mut self, target: Target, t_entry: f32, depth: u32) {
+        self.steps.push(Step::Push { offset: self.place(target), t_min: t_entry, depth });
+    }
+
+    fn pop(&mut self, target: Target, discarded: bool) {
+        self.steps.push(Step::Pop { offset: self.place(target), discarded });
     }
 }
 

@@ -35,7 +35,7 @@ fn tree() {
     assert_eq!(document["triangles"], 6);
     let structures = document["structures"].as_array().unwrap();
     let names: Vec<_> = structures.iter().map(|s| s["name"].as_str().unwrap()).collect();
-    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "dst", "dst_scratch"]);
+    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "bvh16", "dst", "dst_scratch"]);
     for s in structures {
         has_keys(
             s,
@@ -64,7 +64,7 @@ fn saved_trees() {
     let size = "--size 40x30";
     work.json(&format!("render scene.obj {size} --out built.png --rays a.rays"));
     work.json("trace scene.obj --rays a.rays --out built.hits");
-    for structure in ["bvh2", "bvh4", "bvh8", "dst", "dst_scratch"] {
+    for structure in ["bvh2", "bvh4", "bvh8", "bvh16", "dst", "dst_scratch"] {
         let document = work.json(&format!("tree scene.obj --save {structure}.tree --structure {structure}"));
         assert_eq!(document["saved"], format!("{structure}.tree"));
         let trace = work
@@ -106,7 +106,7 @@ fn saved_trees() {
 fn render_trace_and_compare() {
     let work = Workplace::new();
     let size = "--size 40x30 --spp 2";
-    for structure in ["bvh2", "bvh4", "bvh8", "dst"] {
+    for structure in ["bvh2", "bvh4", "bvh8", "bvh16", "dst"] {
         for test in ["raycast", "path"] {
             let line = format!("render scene.obj --structure {structure} --test {test} {size}");
             let document = work.json(&format!("{line} --out {structure}-{test}.exr"));
@@ -120,7 +120,7 @@ fn render_trace_and_compare() {
     let equal = work.json("compare bvh2-path.exr dst-path.exr");
     assert_eq!((&equal["differing_pixels"], &equal["rmse"]), (&0.into(), &0.0.into()));
     assert_ne!(work.read("bvh2-path.exr"), work.read("dst-path.exr"));
-    for other in ["bvh4", "bvh8", "dst"] {
+    for other in ["bvh4", "bvh8", "bvh16", "dst"] {
         assert_eq!(work.read("bvh2-path.png"), work.read(&format!("{other}-path.png")));
         assert_eq!(work.read("bvh2-raycast.png"), work.read(&format!("{other}-raycast.png")));
     }
@@ -203,8 +203,15 @@ fn explain() {
     has_keys(&document, &["scene", "mode", "pixel", "ray", "hit", "structures"]);
     assert!(document["hit"]["t"].as_f64().unwrap() > 0.0);
     let structures = document["structures"].as_array().unwrap();
-    assert_eq!(structures.iter().map(|s| s["name"].as_str().unwrap()).collect::<Vec<_>>(), ["dst", "bvh2"]);
-    for s in structures {
+    let names = |s: &[serde_json::Value]| -> Vec<String> {
+        s.iter().map(|s| s["name"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(names(structures), ["dst", "bvh2"]);
+    let other = work.json(&format!("{line} --structure bvh16 --structure bvh4"));
+    assert_eq!(other["hit"], document["hit"]);
+    let others = other["structures"].as_array().unwrap();
+    assert_eq!(names(others), ["bvh16", "bvh4"]);
+    for s in structures.iter().chain(others) {
         has_keys(s, &COUNTERS);
         let visited = |step: &&serde_json::Value| step["step"] == "node" || step["step"] == "box";
         let visits = s["steps"].as_array().unwrap().iter().filter(visited).count();

@@ -17,7 +17,6 @@ use std::process::{Command, Stdio};
 use testing::tools::{available, in_parallel, run};
 use testing::{cases, long};
 
-
 /// Writes source and testbench of `top`.
 fn write_sources(folder: &Path, top: Top, capacity: u64) {
     let design = top.design(StandardFormat::Binary32).unwrap();
@@ -77,7 +76,8 @@ fn verilator_gives_goldens_outputs() {
         return;
     }
     let vectors = cases(1_000_000, 10_000);
-    let is_chosen = |top: &Top| matches!(top, Top::FpAdd | Top::DualSplit) || long(&format!("{top} in Verilator"));
+    let is_chosen =
+        |top: &Top| matches!(top, Top::FpAdd | Top::DualSplit) || long(&format!("{top} in Verilator"));
     let runtime = tempfile::tempdir().unwrap();
     compile_runtime(runtime.path());
     in_parallel(tops().filter(is_chosen), |top| {

@@ -160,6 +160,7 @@ mod tests {
             check::<3>(&mesh, &tree);
             check::<4>(&mesh, &tree);
             check::<8>(&mesh, &tree);
+            check::<16>(&mesh, &tree);
             prop_assert_eq!(&collapse_wide::<2>(&tree), &tree);
         }
     }

@@ -1,6 +1,6 @@
 //! Every plane, origin and direction of an 8-bit format against exact rationals: the derivation, checked by exhaustion.
 
-use super::structure::Planes;
+use super::Planes;
 use super::{NarrowArithmetic, NarrowRay, Scale, Variant};
 use crate::ray::{PlaneDistances, Ray, TraversalRay};
 use fp::{Arithmetic, Format, Subnormals};

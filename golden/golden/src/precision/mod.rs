@@ -58,14 +58,16 @@
 //! constrains nothing, every other constrains all. `dualsplit stress` counts both. Use the conservative variant.
 
 mod arithmetic;
+mod narrow;
 mod ray;
 mod scale;
-mod structure;
 
+pub use crate::structure::NarrowStructure;
 pub use arithmetic::NarrowArithmetic;
+pub(crate) use narrow::Planes;
+pub use narrow::{Narrow, NarrowBvh, NarrowDst};
 pub use ray::NarrowRay;
 pub use scale::Scale;
-pub use structure::{Narrow, NarrowBvh, NarrowDst, NarrowStructure};
 
 use crate::ray::Mode;
 use fp::{Format, Subnormals};

@@ -5,7 +5,7 @@ use crate::ray::TraversalRay;
 use crate::simd::F32x4;
 
 /// A ray, prepared for boxes.
-pub(super) struct BoxTest {
+pub(crate) struct BoxTest {
     origin: F32x4,
     inv_entry: F32x4,
     inv_exit: F32x4,

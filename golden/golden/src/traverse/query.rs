@@ -1,11 +1,11 @@
 //! A ray on its way through a structure: what it has hit so far.
 
-use super::Traversal;
+use super::Observer;
 use crate::ray::{Hit, TraversalRay};
 use crate::triangle::{Triangle, TriangleHit, TriangleTest};
 
 /// A closest-hit query, or with `ANY` one that ends at the first hit.
-pub(crate) struct Query<'a, const ANY: bool> {
+pub struct Query<'a, const ANY: bool> {
     pub ray: &'a TraversalRay,
     test: TriangleTest,
     triangles: &'a [Triangle],
@@ -22,12 +22,11 @@ impl<'a, const ANY: bool> Query<'a, ANY> {
 
     /// Tests the triangles of the leaf that begins in slot `first`; returns whether the query is answered.
     #[inline(always)]
-    pub fn leaf<O: Traversal>(&mut self, first: u32, observer: &mut O) -> bool {
+    pub fn leaf<O: Observer>(&mut self, first: u32, observer: &mut O) -> bool {
         let mut slot = first as usize;
         loop {
             let triangle = &self.triangles[slot];
-            observer.triangle(slot as u32);
-            if self.triangle(triangle) && ANY {
+            if self.triangle(triangle, slot as u32, observer) && ANY {
                 return true;
             }
             if triangle.is_last() {
@@ -37,16 +36,19 @@ impl<'a, const ANY: bool> Query<'a, ANY> {
         }
     }
 
-    /// Tests one triangle and keeps the hit if it is the best so far.
+    /// Tests the triangle in `slot` and keeps the hit if it is the best so far; returns whether there is one.
     #[inline(always)]
-    pub fn triangle(&mut self, triangle: &Triangle) -> bool {
-        let Some(hit) = self.test.intersect(self.ray, triangle, self.t_max) else {
+    pub fn triangle<O: Observer>(&mut self, triangle: &Triangle, slot: u32, observer: &mut O) -> bool {
+        let found = self.test.intersect(self.ray, triangle, self.t_max);
+        observer.triangle(slot, found.as_ref().map(|hit| hit.t));
+        let Some(hit) = found else {
             return false;
         };
         let index = triangle.index();
         if self.best.is_none_or(|(best, lowest)| hit.t < best.t || index < lowest) {
             self.t_max = hit.t;
             self.best = Some((hit, index));
+            observer.hit(slot, self.t_max);
         }
         true
     }

@@ -94,7 +94,10 @@ fn every_top_synthesises() {
             }
         }
         let registers: u32 = flatten(&design).unwrap().registers.iter().map(|register| register.width).sum();
-        assert!(0 < flip_flops && flip_flops <= registers, "{top}: {flip_flops} of {registers}\n{statistics}");
+        assert!(
+            0 < flip_flops && flip_flops <= registers,
+            "{top}: {flip_flops} of {registers}\n{statistics}"
+        );
         if matches!(top, Top::IntAdd | Top::FpMinMax | Top::FpCmp) {
             assert_eq!(flip_flops, registers, "{top}");
         }

@@ -34,12 +34,7 @@ impl Layout {
         pixels: u32,
         machine: &MachineDescription,
     ) -> Result<Self, DescriptionError> {
-        let triangles = match structure {
-            Structure::Bvh2(bvh) => bvh.triangles.len(),
-            Structure::Bvh4(bvh) => bvh.triangles.len(),
-            Structure::Bvh8(bvh) => bvh.triangles.len(),
-            Structure::Dst(dst) => dst.triangles.len(),
-        };
+        let triangles = structure.triangles().len();
         let line = u64::from(machine.l2.line_words());
         let align = |words: u64| words.next_multiple_of(line);
         let pixels_at = PARAMETER_WORDS;

@@ -8,7 +8,7 @@ use super::walk;
 use crate::core::Tape;
 use golden::precision::NarrowDst;
 use golden::structure::Structure;
-use golden::traverse::{Trace, Traversal};
+use golden::traverse::{Observer, Trace};
 use golden::{Hit, TraversalRay};
 use std::sync::Mutex;
 
@@ -85,16 +85,17 @@ impl<'a, 'tape, 'words> Recorder<'a, 'tape, 'words> {
                 walk::wide(bvh, &mut query, &mut state);
                 query.hit()
             }
+            Traced::Wide(other) => panic!("the machine has no program for {}", other.kind()),
         }
     }
 }
 
 impl Trace for Recorder<'_, '_, '_> {
-    fn closest_prepared<O: Traversal>(&self, ray: &TraversalRay, _observer: &mut O) -> Option<Hit> {
+    fn closest_prepared<O: Observer>(&self, ray: &TraversalRay, _observer: &mut O) -> Option<Hit> {
         self.trace(ray, false)
     }
 
-    fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, _observer: &mut O) -> bool {
+    fn occluded_prepared<O: Observer>(&self, ray: &TraversalRay, _observer: &mut O) -> bool {
         self.trace(ray, true).is_some()
     }
 }

@@ -3,7 +3,7 @@
 use super::recording::{Query, State};
 use fp::minimum_number;
 use golden::build::MAX_DEPTH;
-use golden::bvh::{BoxStep, Bvh, Bvh2, BvhNode, INDEX, LEAF, box_step};
+use golden::bvh::{BoxStep, Bvh, Bvh2, BvhNode, LEAF, box_step};
 use golden::dst::header::Header;
 use golden::dst::{Child, Code, Dst, Step, step};
 use golden::precision::NarrowDst;
@@ -188,11 +188,11 @@ pub fn bvh2(bvh: &Bvh2, query: &mut Query<'_>, state: &mut State<'_, '_, '_>) {
     loop {
         if LEAF.get(word) == 1 {
             state.event(names.node, names.leaf);
-            if state.leaf(query, INDEX.get(word)) {
+            if state.leaf(query, Bvh2::INDEX.get(word)) {
                 return;
             }
         } else {
-            let at = state.layout.nodes_at + INDEX.get(word) * BvhNode::WORDS;
+            let at = state.layout.nodes_at + Bvh2::INDEX.get(word) * BvhNode::WORDS;
             state.tape.address(names.node_address, at);
             let [left, right] = bvh.children(word) else {
                 unreachable!("inner nodes of a binary hierarchy have two children");
@@ -242,11 +242,11 @@ pub fn wide<const N: usize>(bvh: &Bvh<N>, query: &mut Query<'_>, state: &mut Sta
     let mut stack: Vec<(u32, f32)> = Vec::with_capacity(N * MAX_DEPTH as usize);
     loop {
         if LEAF.get(word) == 1 {
-            if state.leaf(query, INDEX.get(word)) {
+            if state.leaf(query, Bvh::<N>::INDEX.get(word)) {
                 return;
             }
         } else {
-            children(bvh.children(word), INDEX.get(word), &mut stack, query, state);
+            children(bvh.children(word), Bvh::<N>::INDEX.get(word), &mut stack, query, state);
         }
         match pop(&mut stack, |entry| entry.1, |entry| LEAF.get(entry.0) == 1, query.t_max, query, state) {
             Some((next, _)) => word = next,

@@ -49,7 +49,9 @@ fn exported_verilog_is_the_simulated_hardware() {
         return;
     }
     let tops = [Top::IntAdd, Top::FpAdd, Top::FpMul, Top::FpMinMax, Top::FpCmp, Top::DualSplit];
-    for top in tops.into_iter().filter(|top| *top != Top::DualSplit || long("the pipeline's exported Verilog")) {
+    for top in
+        tops.into_iter().filter(|top| *top != Top::DualSplit || long("the pipeline's exported Verilog"))
+    {
         let folder = tempfile::tempdir().unwrap();
         let design = top.design(StandardFormat::Binary32).unwrap();
         let miter = verilog::exported(&design, folder.path()).unwrap();
@@ -125,7 +127,8 @@ fn binary32_adder_for_some_exponents() {
     let mut theorem = Theorem::of(Top::FpAdd, StandardFormat::Binary32, |_| ()).unwrap();
     println!("stated in {:.2} s", start.elapsed().as_secs_f64());
     // Neighbours in exponent, where digits cancel, and pairs from anywhere.
-    let near = (0..256usize).step_by(cases(23, 115) as usize).flat_map(|a| [a * 256 + a, a * 256 + (a + 1) % 256]);
+    let near =
+        (0..256usize).step_by(cases(23, 115) as usize).flat_map(|a| [a * 256 + a, a * 256 + (a + 1) % 256]);
     let chosen: Vec<usize> = near.chain((0..65_536).step_by(cases(1_637, 16_370) as usize)).collect();
     theorem.cases = chosen.into_iter().map(|case| theorem.cases[case].clone()).collect();
     let cases = theorem.cases.len();

@@ -7,10 +7,9 @@ use super::pareto;
 use fp::{Format, FormatError};
 use golden::Ray;
 use golden::build::BinaryTree;
-use golden::dst::DstError;
 use golden::precision::{NarrowDst, NarrowStructure, Precision, Variant};
 use golden::ray::TraversalRay;
-use golden::structure::{Structure, StructureKind};
+use golden::structure::{Structure, StructureKind, TooLarge};
 use golden::traverse::{Counters, Trace};
 use golden::triangle::Triangle;
 use machine::frame::{FrameError, FrameMachine, narrow_frame};
@@ -57,7 +56,7 @@ pub enum SweepError {
     Render(#[from] RenderError),
     /// The dual-split tree is too large for its format.
     #[error(transparent)]
-    Dst(#[from] DstError),
+    TooLarge(#[from] TooLarge),
     /// A format is outside the supported range.
     #[error(transparent)]
     Format(#[from] FormatError),

@@ -9,8 +9,8 @@ use crate::input::SceneSource;
 use crate::progress::{Part, Progress};
 use anyhow::{Context, ensure};
 use estimate::{
-    Breakdown, EnergyReport, EstimateError, Implementation, Method, ModuleRow, NodeType,
-    PaperFigures, Scaling, Workload, cost,
+    Breakdown, EnergyReport, EstimateError, Implementation, Method, ModuleRow, NodeType, PaperFigures,
+    Scaling, Workload, cost,
 };
 use gates::liberty::{embedded, load};
 use gates::words::Structures;

@@ -2,7 +2,7 @@
 
 use golden::dst::header::{CARVE, LEAF, OFFSET};
 use golden::dst::{Dst, MAX_CARVES};
-use golden::traverse::{Tests, Traversal};
+use golden::traverse::{Node, Observer};
 
 /// Visits of carve nodes by their place in their chain: the first counts at 0.
 #[derive(Clone, Debug)]
@@ -22,13 +22,14 @@ impl<'a> CarveLevels<'a> {
     }
 }
 
-impl Traversal for CarveLevels<'_> {
-    fn node(&mut self, word_address: u32, _words: u32, _tests: Tests) {
-        let header = self.dst.node(word_address)[0];
+impl Observer for CarveLevels<'_> {
+    fn node(&mut self, node: &Node) {
+        let offset = (node.address / 4) as u32;
+        let header = self.dst.node(offset)[0];
         let is_carve = CARVE.get(header) == 1;
         // A carve node is read right after the one that leads to it, if that was not missed.
         let place = match self.previous {
-            Some((target, place)) if is_carve && target == word_address => place + 1,
+            Some((target, place)) if is_carve && target == offset => place + 1,
             _ => 0,
         };
         if is_carve {

@@ -4,7 +4,7 @@
 //! which fewer than `n` other lines were used since the line's last use (Mattson, Gecsei, Slutz, Traiger, "Evaluation
 //! techniques for storage hierarchies", IBM Systems Journal 9(2), 1970). Distances are counted in a Fenwick tree over time.
 
-use golden::traverse::{Tests, Traversal};
+use golden::traverse::{Node, Observer};
 use golden::triangle::Triangle;
 
 /// Bytes of a line, as in the published machine.
@@ -31,12 +31,12 @@ impl LineStream {
     }
 }
 
-impl Traversal for LineStream {
-    fn node(&mut self, word_address: u32, words: u32, _tests: Tests) {
-        self.read(u64::from(word_address) * 4, u64::from(words) * 4);
+impl Observer for LineStream {
+    fn node(&mut self, node: &Node) {
+        self.read(node.address, node.bytes.into());
     }
 
-    fn triangle(&mut self, slot: u32) {
+    fn triangle(&mut self, slot: u32, _t: Option<f32>) {
         let bytes = u64::from(Triangle::WORDS) * 4;
         self.read(self.triangles_at + u64::from(slot) * bytes, bytes);
     }
@@ -156,9 +156,9 @@ mod tests {
     #[test]
     fn records_that_straddle_lines_touch_both() {
         let mut stream = LineStream::new(100);
-        stream.node(15, 3, Tests::Planes);
-        stream.node(0, 1, Tests::None);
-        stream.triangle(1);
+        stream.read(60, 12);
+        stream.read(0, 4);
+        stream.triangle(1, None);
         assert_eq!(stream.lines, [0, 1, 0, 2, 3]);
     }
 }

@@ -3,8 +3,7 @@
 use super::{Instance, Method, Structures};
 use base::split_mix;
 use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
-use golden::dst::DstError;
-use golden::structure::pack_triangles;
+use golden::structure::{TooLarge, pack_triangles};
 use golden::traverse::brute_force;
 use golden::triangle::Triangle;
 use golden::{Hit, Mode, Ray};
@@ -228,7 +227,7 @@ const NETLIST_CHUNK: u64 = CHUNK / 1000;
 /// construction; interpreted netlists on a thousandth of them.
 ///
 /// # Errors
-/// [`DstError`] if the dual-split tree is too large for its format.
+/// [`TooLarge`] if the dual-split tree is too large for its format.
 ///
 /// # Panics
 /// If there is no tree over the mesh.
@@ -238,7 +237,7 @@ pub fn aimed_cells(
     rays: u64,
     seed: u64,
     done: impl Fn(u64) + Sync,
-) -> Result<Vec<Cell>, DstError> {
+) -> Result<Vec<Cell>, TooLarge> {
     let tree = build(mesh, &BuildOptions::new(Quality::Medium)).expect("a tree over the mesh");
     let structures = Structures::new(&tree, &pack_triangles(mesh, &tree))?;
     let instances: Vec<Instance> =

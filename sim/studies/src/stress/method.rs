@@ -4,9 +4,9 @@ use super::Hardware;
 use fp::Format;
 use golden::build::BinaryTree;
 use golden::bvh::box_step;
-use golden::dst::{Dst, DstError};
+use golden::dst::Dst;
 use golden::precision::{NarrowDst, NarrowRay, NarrowStructure, Precision, Variant};
-use golden::structure::{Structure, StructureKind};
+use golden::structure::{Structure, StructureKind, TooLarge};
 use golden::traverse::{Counters, NoObserver, Trace, closest_by_steps};
 use golden::triangle::Triangle;
 use golden::{Aabb, Hit, Mode, Ray, TraversalRay};
@@ -70,15 +70,13 @@ pub struct Method {
 
 /// The name of no method.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no method '{name}': write {form}")]
-pub struct MethodError {
-    name: String,
-    form: &'static str,
-}
-
-const FORM: &str = "STRUCTURE/binary32-fast, STRUCTURE/binary32-robust, STRUCTURE/FORMAT-naive or STRUCTURE/FORMAT-conservative \
-    with a STRUCTURE of bvh2, bvh4, bvh8, dst and a FORMAT such as binary16 or e8m10, or rtl/binary32-robust, \
-    rtl/binary32-fast, rtl/FORMAT-naive with a FORMAT of `dualsplit export`";
+#[error(
+    "there is no method '{0}': write STRUCTURE/binary32-fast, STRUCTURE/binary32-robust, STRUCTURE/FORMAT-naive or \
+     STRUCTURE/FORMAT-conservative with a STRUCTURE of {structures} and a FORMAT such as binary16 or e8m10, or \
+     rtl/binary32-robust, rtl/binary32-fast, rtl/FORMAT-naive with a FORMAT of `dualsplit export`",
+    structures = StructureKind::names()
+)]
+pub struct MethodError(String);
 
 /// `dst/binary32-robust`, `bvh4/tf32-naive`, `rtl/binary32-fast`.
 impl fmt::Display for Method {
@@ -120,7 +118,7 @@ impl FromStr for Method {
             };
             Some(Self { structure, arithmetic })
         };
-        parse().ok_or_else(|| MethodError { name: name.to_owned(), form: FORM })
+        parse().ok_or_else(|| MethodError(name.to_owned()))
     }
 }
 
@@ -132,8 +130,9 @@ impl Method {
         let narrow = formats.into_iter().flat_map(|format| Variant::ALL.map(|v| Precision::new(format, v)));
         let native = [Mode::Fast, Mode::Robust].map(Arithmetic::Native);
         let arithmetics: Vec<_> = native.into_iter().chain(narrow.map(Arithmetic::Narrow)).collect();
-        [StructureKind::Dst, StructureKind::Bvh2, StructureKind::Bvh4, StructureKind::Bvh8]
-            .into_iter()
+        let others = StructureKind::ALL.into_iter().filter(|kind| *kind != StructureKind::Dst);
+        std::iter::once(StructureKind::Dst)
+            .chain(others)
             .flat_map(|structure| arithmetics.iter().map(move |&arithmetic| Self { structure, arithmetic }))
             .collect()
     }
@@ -199,17 +198,16 @@ impl Method {
 
 /// All structures over one hierarchy, in binary32.
 #[derive(Debug)]
-pub struct Structures([Arc<Structure>; StructureKind::ALL.len()]);
+pub struct Structures(Vec<Arc<Structure>>);
 
 impl Structures {
     /// Converts `tree`, whose triangles are `triangles`.
     ///
     /// # Errors
-    /// [`DstError`] if the dual-split tree is too large for its format.
-    pub fn new(tree: &BinaryTree, triangles: &Arc<[Triangle]>) -> Result<Self, DstError> {
-        let [a, b, c, d] =
-            StructureKind::ALL.map(|kind| Structure::convert(kind, tree, triangles).map(Arc::new));
-        Ok(Self([a?, b?, c?, d?]))
+    /// [`TooLarge`] if the dual-split tree is too large for its format.
+    pub fn new(tree: &BinaryTree, triangles: &Arc<[Triangle]>) -> Result<Self, TooLarge> {
+        let convert = |kind| Structure::convert(kind, tree, triangles).map(Arc::new);
+        StructureKind::ALL.into_iter().map(convert).collect::<Result<_, _>>().map(Self)
     }
 
     fn get(&self, kind: StructureKind) -> &Arc<Structure> {
@@ -314,7 +312,7 @@ mod tests {
             assert_eq!(method.to_string().parse(), Ok(method));
             assert!(names.insert(method.to_string()));
         }
-        assert_eq!(names.len(), 4 * (2 + 10) + 5);
+        assert_eq!(names.len(), StructureKind::ALL.len() * (2 + 10) + 5);
         for bad in
             ["dst", "dst/binary32", "dst/fast", "rtl/tf32-conservative", "kd/binary32-fast", "dst/e9m3-naive"]
         {

@@ -7,8 +7,7 @@
 
 use super::{Cell, Method, Structures};
 use golden::build::{BuildOptions, Quality, build};
-use golden::dst::DstError;
-use golden::structure::pack_triangles;
+use golden::structure::{TooLarge, pack_triangles};
 use golden::{Aabb, Mode, Ray};
 use rayon::prelude::*;
 use scenes::Mesh;
@@ -27,7 +26,7 @@ pub struct Found {
 /// Walks `starts` rays for `steps` steps each and traces every ray on the way.
 ///
 /// # Errors
-/// [`DstError`] if the dual-split tree is too large for its format.
+/// [`TooLarge`] if the dual-split tree is too large for its format.
 ///
 /// # Panics
 /// If there is no tree over the mesh.
@@ -37,7 +36,7 @@ pub fn search(
     starts: u64,
     steps: u32,
     seed: u64,
-) -> Result<(Cell, Option<Found>), DstError> {
+) -> Result<(Cell, Option<Found>), TooLarge> {
     // One triangle to a leaf: the boxes are those of triangles.
     let options = BuildOptions { quality: Quality::Medium, max_leaf_size: 1 };
     let tree = build(mesh, &options).expect("a tree over the mesh");

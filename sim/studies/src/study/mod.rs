@@ -144,6 +144,7 @@ fn simulate_scene(
     let built = Built::new(&scene, args.quality, progress)?;
     let structures = StructureKind::ALL
         .into_par_iter()
+        .filter(|kind| open.iter().any(|(job, ..)| job.structure.kind() == *kind))
         .map(|kind| Ok(built.convert(kind)?.0))
         .collect::<anyhow::Result<Vec<Structure>>>()?;
     let part = Part::begin(progress, open.len() as u64, name);

@@ -1,53 +1,21 @@
-//! The walk is the kernels' own: same nodes, triangles and stack operations in the same order.
+//! The walk tells what the traversal did: as many steps as events, and a best triangle that is the hit.
 
 use super::*;
 use golden::build::{BuildOptions, Quality, build};
-use golden::bvh::BvhNode;
-use golden::structure::pack_triangles;
-use golden::traverse::{Tests, Trace, Traversal};
+use golden::structure::{StructureKind, pack_triangles};
+use golden::traverse::Counters;
 use golden::{Mode, Ray};
 use render::CameraRays;
 use scenes::Scene;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Event {
-    Node(u32),
-    Triangle(u32),
-    Push(u32),
-    Pop(bool),
-}
-
-#[derive(Default)]
-struct Recorder(Vec<Event>);
-
-impl Traversal for Recorder {
-    fn node(&mut self, word_address: u32, _: u32, _: Tests) {
-        self.0.push(Event::Node(word_address));
-    }
-
-    fn triangle(&mut self, slot: u32) {
-        self.0.push(Event::Triangle(slot));
-    }
-
-    fn push(&mut self, depth: u32) {
-        self.0.push(Event::Push(depth));
-    }
-
-    fn pop(&mut self, discarded: bool) {
-        self.0.push(Event::Pop(discarded));
-    }
-}
-
-fn events(walk: &Walk) -> Vec<Event> {
-    let event = |step: &Step| match step {
-        Step::Root { .. } => None,
-        Step::Node { offset, .. } => Some(Event::Node(*offset)),
-        Step::Box { node, .. } => Some(Event::Node(node * BvhNode::WORDS)),
-        Step::Push { depth, .. } => Some(Event::Push(*depth)),
-        Step::Pop { discarded, .. } => Some(Event::Pop(*discarded)),
-        Step::Triangle { slot, .. } => Some(Event::Triangle(*slot)),
-    };
-    walk.steps.iter().filter_map(event).collect()
+/// A step in the words of the kernels' counters: visits, triangle tests and pushes.
+fn counts(steps: &[Step]) -> (u64, u64, u64) {
+    let count = |wanted: fn(&Step) -> bool| steps.iter().filter(|step| wanted(step)).count() as u64;
+    (
+        count(|step| matches!(step, Step::Node { .. } | Step::Box { .. })),
+        count(|step| matches!(step, Step::Triangle { .. })),
+        count(|step| matches!(step, Step::Push { .. })),
+    )
 }
 
 #[test]
@@ -55,8 +23,7 @@ fn walks_are_the_kernels() {
     let scene = Scene::load("hairball", 0.001, 0).unwrap();
     let tree = build(&scene.mesh, &BuildOptions::new(Quality::Fast)).unwrap();
     let triangles = pack_triangles(&scene.mesh, &tree);
-    let dst = Dst::convert(&tree, triangles.clone()).unwrap();
-    let bvh = Bvh2::encode(&tree, triangles);
+    let structures = StructureKind::ALL.map(|kind| Structure::convert(kind, &tree, &triangles).unwrap());
     let camera = CameraRays::new(&scene.camera, 24, 24).unwrap();
     let rays = (0..576).map(|i| camera.ray(f64::from(i % 24) + 0.5, f64::from(i / 24) + 0.5));
     let scaled = Ray { direction: [3.0, -2.0, -1.5], ..camera.ray(12.0, 12.0) };
@@ -64,21 +31,22 @@ fn walks_are_the_kernels() {
     for ray in rays.chain([scaled]) {
         for mode in [Mode::Fast, Mode::Robust] {
             let prepared = TraversalRay::new(&ray, mode).unwrap();
-            for (walk, (kernel, hit)) in [
-                (walk_dst(&dst, &prepared), observed(&dst, &prepared)),
-                (walk_bvh2(&bvh, &prepared), observed(&bvh, &prepared)),
-            ] {
-                assert_eq!(walk.hit, hit);
-                assert_eq!(events(&walk), kernel);
+            for structure in &structures {
+                let Walk { steps, hit } = walk(structure, &prepared);
+                assert_eq!(hit, structure.closest(&ray, mode), "{}", structure.kind());
+                let mut counters = Counters::default();
+                structure.closest_prepared(&prepared, &mut counters);
+                let Counters { node_visits, triangle_tests, pushes, .. } = counters;
+                assert_eq!(counts(&steps), (node_visits, triangle_tests, pushes));
+                let best = steps.iter().rev().find_map(|step| match step {
+                    Step::Triangle { triangle, t, best: true, .. } => Some((*triangle, t.unwrap())),
+                    _ => None,
+                });
+                assert_eq!(best.map(|(triangle, _)| triangle), hit.map(|hit| hit.triangle));
+                assert_eq!(best.map(|(_, t)| prepared.given_t(t)), hit.map(|hit| hit.t));
                 hits += u32::from(hit.is_some());
             }
         }
     }
     assert!(hits > 400, "{hits}");
-}
-
-fn observed(structure: &impl Trace, ray: &TraversalRay) -> (Vec<Event>, Option<Hit>) {
-    let mut recorder = Recorder::default();
-    let hit = structure.closest_prepared(ray, &mut recorder);
-    (recorder.0, hit)
 }

@@ -1,8 +1,9 @@
 //! Scenes, trees and pictures.
 
 use super::shared::{DetailArgs, ModeArgs, QualityArgs, SceneArgs, StructureArgs, ViewArgs};
-use super::values::{pixel, quantity, row, test};
+use super::values::{pixel, quantity, row, structure, test};
 use clap::Args;
+use golden::structure::StructureKind;
 use render::Test;
 use std::path::PathBuf;
 use studies::trees::TreeKind;
@@ -101,6 +102,9 @@ pub struct ExplainArgs {
     /// Column and row of the pixel, counted from the upper left corner, from 0.
     #[arg(long, value_name = "X,Y", value_parser = pixel)]
     pub pixel: [u32; 2],
+    /// A structure to trace through; can be repeated.
+    #[arg(long, default_values = ["dst", "bvh2"], value_parser = structure())]
+    pub structure: Vec<StructureKind>,
     #[command(flatten)]
     pub mode: ModeArgs,
     #[command(flatten)]

@@ -14,6 +14,7 @@ pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
         pixel: args.pixel,
         mode: args.mode.mode,
         quality: args.quality.quality,
+        structures: args.structure.clone(),
     };
     let explanation = explain::run(&options, &Bars::default())?;
     Ok(Report::new(&explanation, text(&explanation)))

@@ -12,10 +12,11 @@
 //! which is the expected number of node visits of a ray that meets the parent, as for every other node of the tree.
 //! Ties go to the lower axis and to the pairing that is enumerated first.
 
-use super::header::{Header, LEAF_WORDS, NODE_WORDS, OFFSET_LIMIT};
-use super::{Dst, DstError};
+use super::Dst;
+use super::header::{Header, LEAF_WORDS, NODE_WORDS, OFFSET, OFFSET_LIMIT};
 use crate::Aabb;
 use crate::build::{BinaryTree, Content};
+use crate::structure::TooLarge;
 use crate::triangle::Triangle;
 use std::sync::Arc;
 
@@ -40,10 +41,10 @@ impl Dst {
     /// Converts `tree`; `triangles` are its primitives in order.
     ///
     /// # Errors
-    /// [`DstError::TooLarge`] if an offset or a triangle index exceeds 26 bits.
-    pub fn convert(tree: &BinaryTree, triangles: Arc<[Triangle]>) -> Result<Self, DstError> {
+    /// [`TooLarge`] if an offset or a triangle index exceeds 26 bits.
+    pub fn convert(tree: &BinaryTree, triangles: Arc<[Triangle]>) -> Result<Self, TooLarge> {
         if triangles.len() > OFFSET_LIMIT as usize {
-            return Err(DstError::TooLarge { words: triangles.len() as u64 });
+            return Err(too_large(triangles.len() as u64));
         }
         let root = &tree.nodes[0];
         // Two words of planes to a split, about two carves to a split, are 18 words to an inner node.
@@ -82,7 +83,7 @@ impl Writer<'_> {
     }
 
     /// Writes `record` at offset `at` and all that is below it after the end.
-    fn write(&mut self, record: Record, at: usize) -> Result<(), DstError> {
+    fn write(&mut self, record: Record, at: usize) -> Result<(), TooLarge> {
         let node = &self.tree.nodes[record.node];
         let mut at = at;
         let mut region = record.region;
@@ -107,7 +108,7 @@ impl Writer<'_> {
         }
     }
 
-    fn write_split(&mut self, parent: &Aabb, first_child: usize, at: usize) -> Result<(), DstError> {
+    fn write_split(&mut self, parent: &Aabb, first_child: usize, at: usize) -> Result<(), TooLarge> {
         let boxes = [self.tree.nodes[first_child].aabb, self.tree.nodes[first_child + 1].aabb];
         let plan = Plan::best(parent, &boxes);
         let [left, right] = plan.order;
@@ -136,9 +137,13 @@ impl Writer<'_> {
 }
 
 /// `offset` as a header's field; the right child at `offset + left_words` has to fit too.
-fn checked_offset(offset: usize, left_words: u32) -> Result<u32, DstError> {
+fn checked_offset(offset: usize, left_words: u32) -> Result<u32, TooLarge> {
     let end = offset as u64 + u64::from(left_words);
-    if end < u64::from(OFFSET_LIMIT) { Ok(offset as u32) } else { Err(DstError::TooLarge { words: end }) }
+    if end < u64::from(OFFSET_LIMIT) { Ok(offset as u32) } else { Err(too_large(end)) }
+}
+
+fn too_large(words: u64) -> TooLarge {
+    TooLarge { structure: "dual-split tree", words, bits: OFFSET.width as u32 }
 }
 
 /// The halves of `parent` left of the left child's max plane and right of the right child's min plane.

@@ -28,6 +28,7 @@ pub struct BoxStep {
 }
 
 /// Tests `bounds` against the part `t_min..=t_max` of `ray`.
+#[inline]
 #[must_use]
 pub fn box_step<R: PlaneDistances>(bounds: &Aabb, ray: &R, t_min: f32, t_max: f32) -> BoxStep {
     let mut near = [0.0; 3];

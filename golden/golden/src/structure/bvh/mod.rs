@@ -1,15 +1,20 @@
-//! Bounding volume hierarchies in their memory format: 2, 4 or 8 boxes to a node, 28 bytes a box.
+//! Bounding volume hierarchies in their memory format: up to 2, 4, 8 or 16 boxes to a node, 28 bytes a box.
 //!
 //! | word | content |
 //! |---|---|
-//! | 0 | bit 31: leaf; bits 30:28: number of siblings - 1; bits 27:0: index of the first child, or of the first triangle |
+//! | 0 | bit 31: leaf; below it the number of siblings - 1; then the index of the first child, or of the first triangle |
 //! | 1..=3 | the box's minimum x, y, z |
 //! | 4..=6 | the box's maximum x, y, z |
 //!
-//! Nodes lie depth-first with siblings consecutive. The root is not stored: its box and its word 0 are kept
-//! beside the array, as for the dual-split tree.
+//! The number of siblings takes bits 30:28, and bits 30:27 where there are up to 16. Nodes lie depth-first with siblings
+//! consecutive. The root is not stored: its box and its word 0 are kept beside the array, as for the dual-split tree.
 
+mod format;
+mod leaves;
+mod narrow;
+mod statistics;
 mod step;
+mod traverse;
 mod validate;
 
 pub use step::{BoxStep, box_step};
@@ -18,16 +23,14 @@ pub use validate::BvhDefect;
 use crate::Aabb;
 use crate::build::{Content, Tree};
 use crate::dst::header::Field;
+use crate::traverse::{Node, Observer, Outcome, Part, Target, Tests};
 use crate::triangle::Triangle;
 use bytemuck::{Pod, Zeroable};
+use scenes::MAX_TRIANGLES;
 use std::sync::Arc;
 
 /// 1 in a leaf.
 pub const LEAF: Field = Field { low: 31, width: 1 };
-/// Number of siblings, this node included, less one.
-pub const SIBLINGS: Field = Field { low: 28, width: 3 };
-/// Index of the first child, or of a leaf's first triangle.
-pub const INDEX: Field = Field { low: 0, width: 28 };
 
 /// A node in memory: seven 32-bit words.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -65,18 +68,32 @@ pub type Bvh2 = Bvh<2>;
 pub type Bvh4 = Bvh<4>;
 /// The 8-wide hierarchy.
 pub type Bvh8 = Bvh<8>;
+/// The 16-wide hierarchy.
+pub type Bvh16 = Bvh<16>;
 
 impl<const N: usize> Bvh<N> {
+    /// Number of siblings, this node included, less one.
+    pub const SIBLINGS: Field = {
+        let width = if N <= 8 { 3 } else { (N - 1).ilog2() as usize + 1 };
+        Field { low: LEAF.low - width, width }
+    };
+    /// Index of the first child, or of a leaf's first triangle.
+    pub const INDEX: Field = Field { low: 0, width: Self::SIBLINGS.low };
+
     /// Writes `tree` in the memory format; `triangles` are its primitives in order (see [`pack_triangles`]).
     ///
     /// [`pack_triangles`]: crate::structure::pack_triangles
     #[must_use]
-    pub fn encode(tree: &Tree<N>, triangles: Arc<[Triangle]>) -> Self {
+    pub fn encode<const WIDTH: usize>(tree: &Tree<WIDTH>, triangles: Arc<[Triangle]>) -> Self {
+        const { assert!(WIDTH <= N, "all children of a node are siblings in memory") };
+        // A hierarchy has fewer than two nodes to a triangle.
+        const { assert!(2 * MAX_TRIANGLES <= 1 << Self::INDEX.width, "every index fits") };
         // Without the root, every node moves up by one.
+        let siblings_less_one = |siblings: u32| (siblings - 1) << Self::SIBLINGS.low;
         let word = |content: Content, siblings: u32| match content {
-            Content::Inner { first_child, .. } => (siblings - 1) << SIBLINGS.low | (first_child - 1),
+            Content::Inner { first_child, .. } => siblings_less_one(siblings) | (first_child - 1),
             Content::Leaf { first_primitive, .. } => {
-                1 << LEAF.low | (siblings - 1) << SIBLINGS.low | first_primitive
+                1 << LEAF.low | siblings_less_one(siblings) | first_primitive
             }
         };
         let mut siblings = vec![1; tree.nodes.len()];
@@ -98,9 +115,9 @@ impl<const N: usize> Bvh<N> {
     #[inline(always)]
     #[must_use]
     pub fn children(&self, word: u32) -> &[BvhNode] {
-        let first = INDEX.get(word) as usize;
+        let first = Self::INDEX.get(word) as usize;
         // Every inner node of a binary hierarchy has two.
-        let count = if N == 2 { 2 } else { SIBLINGS.get(self.nodes[first].word) as usize + 1 };
+        let count = if N == 2 { 2 } else { Self::SIBLINGS.get(self.nodes[first].word) as usize + 1 };
         &self.nodes[first..first + count]
     }
 
@@ -109,4 +126,28 @@ impl<const N: usize> Bvh<N> {
     pub fn node_bytes(&self) -> usize {
         size_of_val(self.nodes.as_slice())
     }
+
+    /// What the node with word 0 `word` leads to.
+    fn target(word: u32) -> Target {
+        let index = Self::INDEX.get(word);
+        if LEAF.get(word) == 1 { Target::Leaf(index) } else { Target::Node(address(index)) }
+    }
+
+    /// Tells `observer` that the node at `index` with word 0 `word` was tested.
+    #[inline(always)]
+    fn observe<O: Observer>(observer: &mut O, index: u32, word: u32, test: BoxStep) {
+        let (t_min, t_max) = (test.t_entry, test.t_exit);
+        let outcome = if test.hit {
+            Outcome::One(Part { target: Self::target(word), t_min, t_max })
+        } else {
+            Outcome::Nothing
+        };
+        let bytes = 4 * BvhNode::WORDS;
+        observer.node(&Node { address: address(index), bytes, tests: Tests::Box, t_min, t_max, outcome });
+    }
+}
+
+/// Bytes before the node at `index`.
+fn address(index: u32) -> u64 {
+    u64::from(index) * size_of::<BvhNode>() as u64
 }

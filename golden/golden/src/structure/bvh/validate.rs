@@ -1,6 +1,6 @@
 //! The proof that nodes in memory are a hierarchy over their triangles.
 
-use super::{Bvh, INDEX, LEAF, SIBLINGS};
+use super::{Bvh, LEAF};
 use crate::Aabb;
 use crate::build::MAX_DEPTH;
 use crate::triangle::{Triangle, leaf_at};
@@ -61,7 +61,7 @@ impl<const N: usize> Bvh<N> {
 
     /// Checks the node with word 0 `word`, whose box is `stored`. The recursion is as deep as the tree.
     fn check(&self, word: u32, depth: u32, stored: &Aabb, reached: &mut usize) -> Result<(), BvhDefect> {
-        let index = INDEX.get(word);
+        let index = Self::INDEX.get(word);
         let total = self.nodes.len() + self.triangles.len();
         let inside = if LEAF.get(word) == 1 {
             let leaf = leaf_at(&self.triangles, index).ok_or(BvhDefect::OutOfRange { word })?;
@@ -72,12 +72,12 @@ impl<const N: usize> Bvh<N> {
                 return Err(BvhDefect::Depth { node: index });
             }
             let first = self.nodes.get(index as usize).ok_or(BvhDefect::OutOfRange { word })?;
-            let count = SIBLINGS.get(first.word) + 1;
+            let count = Self::SIBLINGS.get(first.word) + 1;
             let children = self
                 .nodes
                 .get(index as usize..(index + count) as usize)
                 .ok_or(BvhDefect::OutOfRange { word })?;
-            let agree = children.iter().all(|child| SIBLINGS.get(child.word) + 1 == count);
+            let agree = children.iter().all(|child| Self::SIBLINGS.get(child.word) + 1 == count);
             if !agree || !(2..=N as u32).contains(&count) {
                 return Err(BvhDefect::Siblings { node: index, count });
             }

@@ -21,6 +21,7 @@
 //! plane that carves nothing repeats the parent's own plane, so that its test changes nothing.
 
 use bitvec::{field::BitField, order::Lsb0, view::BitView};
+use std::fmt;
 
 /// A bit field of the header word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -183,6 +184,30 @@ pub const fn dual_axes(kind: u32) -> [u32; 2] {
 #[must_use]
 pub const fn dual_kind(axes: [u32; 2]) -> u32 {
     axes[0] << 1 | (axes[1] - 1)
+}
+
+/// `split x, left @12, right @15`, `carve y max, y min, leaf at 7`, `carve x min, z max, child @30`, `leaf at 4`.
+impl fmt::Display for Header {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let axis = |axis: u32| ["x", "y", "z"][axis as usize];
+        let end = |leaf: bool, offset: u32| {
+            if leaf { format!("leaf at {offset}") } else { format!("child @{offset}") }
+        };
+        match *self {
+            Header::Split { axis: a, left_words, offset } => {
+                write!(f, "split {}, left @{offset}, right @{}", axis(a), offset + left_words)
+            }
+            Header::CarveSingle { axis: a, leaf, offset } => {
+                write!(f, "carve {0} max, {0} min, {1}", axis(a), end(leaf, offset))
+            }
+            Header::CarveDual { axes, is_min, leaf, offset } => {
+                let side = |i: usize| if is_min[i] { "min" } else { "max" };
+                let (first, second) = (axis(axes[0]), axis(axes[1]));
+                write!(f, "carve {first} {}, {second} {}, {}", side(0), side(1), end(leaf, offset))
+            }
+            Header::Leaf { first_triangle } => f.write_str(&end(true, first_triangle)),
+        }
+    }
 }
 
 #[cfg(test)]

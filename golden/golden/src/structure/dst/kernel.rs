@@ -5,14 +5,13 @@
 //! traversal costs three. The planes, their arithmetic and the order in which leaves are reached are those of
 //! the specification's steps; only the moment at which an empty child is noticed differs.
 
-use super::NoObserver;
-use super::box_test::BoxTest;
-use super::dst_rows::{Interval, Intervals, Rows};
-use super::query::Query;
-use super::stack::Stack;
-use crate::build::MAX_DEPTH;
-use crate::dst::Dst;
-use crate::dst::header::{AXIS, CARVE, LEAF, OFFSET, SIZE};
+use super::Dst;
+use super::header::{AXIS, CARVE, LEAF, OFFSET, SIZE};
+use super::kernel_rows::{Interval, Intervals, Rows};
+use crate::traverse::NoObserver;
+use crate::traverse::box_test::BoxTest;
+use crate::traverse::query::Query;
+use crate::traverse::stack::Stack;
 
 /// A child with the part of the ray that lies in it.
 #[derive(Clone, Copy)]
@@ -30,7 +29,7 @@ pub(super) fn traverse<const ANY: bool>(dst: &Dst, query: &mut Query<'_, ANY>) -
         return false;
     };
     let rows = Rows::new(ray);
-    let mut stack = Stack::<Place, { MAX_DEPTH as usize }>::new();
+    let mut stack = Stack::<Place, 1>::new();
     let mut here = target(dst.node(0)[0], 0);
     // Of the node that is visited, for both of its children.
     let mut intervals = Intervals::both(Interval { t_min, negated_t_max: -t_max });

@@ -2,14 +2,23 @@
 
 mod build;
 mod convert;
+mod format;
 pub mod header;
+mod kernel;
+mod kernel_rows;
+mod leaves;
+mod narrow;
+mod statistics;
 mod step;
+mod steps;
 mod validate;
 
 pub use build::build_for_dst;
 pub use convert::MAX_CARVES;
 pub(crate) use convert::fewest_carves;
+pub use statistics::CarveStatistics;
 pub use step::{Child, Code, Step, step};
+pub use steps::{closest_by_steps, occluded_by_steps};
 pub use validate::{DstDefect, End, Record};
 
 use crate::Aabb;
@@ -29,20 +38,6 @@ pub struct Dst {
     memory: Vec<u32>,
     /// The leaves' triangles.
     pub triangles: Arc<[Triangle]>,
-}
-
-/// Why a tree cannot be written.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum DstError {
-    /// The header's 26 bits cannot address it.
-    #[error(
-        "the dual-split tree would need offsets up to {words}, more than the 2^26 that a node's 26 bits \
-         reach: raise the leaf size or lower the scene's detail"
-    )]
-    TooLarge {
-        /// The offset that does not fit.
-        words: u64,
-    },
 }
 
 /// How many nodes of each kind a tree has.
@@ -150,4 +145,9 @@ impl Dst {
         }
         counts
     }
+}
+
+/// Bytes before the node at `offset`.
+fn address(offset: u32) -> u64 {
+    u64::from(offset) * size_of::<u32>() as u64
 }

@@ -1,23 +1,22 @@
-//! Traversal of 2-, 4- and 8-wide hierarchies: all children of a node are tested, the nearest is visited first.
+//! Traversal: all children of a node are tested, the nearest is visited first.
 
-use super::box_test::BoxTest;
-use super::query::Query;
-use super::stack::Stack;
-use super::{Tests, Trace, Traversal};
-use crate::build::MAX_DEPTH;
-use crate::bvh::{Bvh, BvhNode, INDEX, LEAF};
+use super::{Bvh, BvhNode, LEAF, box_step};
 use crate::ray::{Hit, TraversalRay};
+use crate::traverse::box_test::BoxTest;
+use crate::traverse::query::Query;
+use crate::traverse::stack::Stack;
+use crate::traverse::{Observer, Trace};
 
 impl<const N: usize> Trace for Bvh<N> {
     #[inline]
-    fn closest_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit> {
+    fn closest_prepared<O: Observer>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit> {
         let mut query = Query::<false>::new(ray, &self.triangles);
         traverse(self, &mut query, observer);
         query.hit()
     }
 
     #[inline]
-    fn occluded_prepared<O: Traversal>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
+    fn occluded_prepared<O: Observer>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
         let mut query = Query::<true>::new(ray, &self.triangles);
         traverse(self, &mut query, observer)
     }
@@ -25,7 +24,7 @@ impl<const N: usize> Trace for Bvh<N> {
 
 /// Visits nodes until nothing nearer can be found, or with `ANY` until something is; returns whether it was.
 #[inline(always)]
-fn traverse<const N: usize, const ANY: bool, O: Traversal>(
+fn traverse<const N: usize, const ANY: bool, O: Observer>(
     bvh: &Bvh<N>,
     query: &mut Query<'_, ANY>,
     observer: &mut O,
@@ -34,22 +33,22 @@ fn traverse<const N: usize, const ANY: bool, O: Traversal>(
     if test.interval(&bvh.root_box, query.t_max).is_none() {
         return false;
     }
-    // A node leaves at most N - 1 siblings of each ancestor behind.
-    let mut stack = Stack::<(u32, f32), STACK_ENTRIES>::new();
+    let mut stack = Stack::<(u32, f32), N>::new();
     let mut word = bvh.root;
     loop {
         if LEAF.get(word) == 1 {
-            if query.leaf(INDEX.get(word), observer) {
+            if query.leaf(Bvh::<N>::INDEX.get(word), observer) {
                 return true;
             }
         } else {
             let children = bvh.children(word);
             if O::ACTIVE {
-                for i in 0..children.len() as u32 {
-                    observer.node((INDEX.get(word) + i) * BvhNode::WORDS, BvhNode::WORDS, Tests::Box);
+                for (index, child) in (Bvh::<N>::INDEX.get(word)..).zip(children) {
+                    let test = box_step(&child.aabb, query.ray, query.ray.t_min, query.t_max);
+                    Bvh::<N>::observe(observer, index, child.word, test);
                 }
             }
-            if let Some(next) = visit_children(children, &test, query.t_max, &mut stack, observer) {
+            if let Some(next) = visit_children::<N, O>(children, &test, query.t_max, &mut stack, observer) {
                 word = next;
                 continue;
             }
@@ -59,7 +58,7 @@ fn traverse<const N: usize, const ANY: bool, O: Traversal>(
                 return false;
             };
             let discarded = t_entry > query.t_max;
-            observer.pop(discarded);
+            observer.pop(Bvh::<N>::target(next), discarded);
             if !discarded {
                 word = next;
                 break;
@@ -68,19 +67,22 @@ fn traverse<const N: usize, const ANY: bool, O: Traversal>(
     }
 }
 
-const STACK_ENTRIES: usize = 7 * MAX_DEPTH as usize;
-
 /// Tests `children`, stacks all but the nearest that are hit, the farthest first, and returns the nearest.
 ///
 /// Children at equal distance are visited in the order of memory.
 #[inline(always)]
-fn visit_children<O: Traversal>(
+fn visit_children<const N: usize, O: Observer>(
     children: &[BvhNode],
     test: &BoxTest,
     t_max: f32,
-    stack: &mut Stack<(u32, f32), STACK_ENTRIES>,
+    stack: &mut Stack<(u32, f32), N>,
     observer: &mut O,
 ) -> Option<u32> {
+    let mut push = |(word, t_entry): (u32, f32)| {
+        stack.push((word, t_entry));
+        // Folding gives a zero of either sign; adding +0 makes it that of the specification.
+        observer.push(Bvh::<N>::target(word), t_entry + 0.0, stack.len());
+    };
     if let [a, b] = children {
         let (hits, [ta, tb]) = test.pair(&a.aabb, &b.aabb, t_max);
         return match hits {
@@ -89,13 +91,12 @@ fn visit_children<O: Traversal>(
             2 => Some(b.word),
             _ => {
                 let (near, far) = if ta <= tb { (a.word, (b.word, tb)) } else { (b.word, (a.word, ta)) };
-                stack.push(far);
-                observer.push(stack.len());
+                push(far);
                 Some(near)
             }
         };
     }
-    let mut found = [(0u32, 0.0f32); 8];
+    let mut found = [(0u32, 0.0f32); N];
     let mut count = 0;
     let mut insert = |entry: (u32, f32)| {
         let mut at = count;
@@ -119,8 +120,7 @@ fn visit_children<O: Traversal>(
     }
     let (nearest, others) = found[..count].split_last()?;
     for entry in others {
-        stack.push(*entry);
-        observer.push(stack.len());
+        push(*entry);
     }
     Some(nearest.0)
 }
