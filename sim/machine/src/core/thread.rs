@@ -25,7 +25,7 @@ pub enum State {
     Halted,
 }
 
-/// A thread.
+/// A thread. What [`Thread::run`] needs most lies together in a line of the host's cache, the scoreboard behind it.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Thread {

@@ -28,10 +28,8 @@ pub struct MicroOp {
     pub kind: Kind,
     /// Bank of the instruction cache.
     pub bank: u8,
-    /// Entries of the registers that it can find not to be ready, [`READY`] for none; of several, the first, and the second if
+    /// Entries of the registers that it can find not to be ready, `READY` for none; of several, the first, and the second if
     /// there are two.
-    ///
-    /// [`READY`]: super::scoreboard::READY
     pub reads: [BoardEntry; 2],
     /// Entry of the register that it writes, `SINK` if nobody looks at the result before it is ready.
     pub write: BoardEntry,
