@@ -42,10 +42,11 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Vec<PathBu
         Some(top) => vec![top],
         None => Top::ALL.iter().copied().filter(|top| top.formats().contains(&args.format)).collect(),
     };
+    // A unit that does not exist leaves no folder behind.
+    let designs = tops.iter().map(|top| top.design(args.format)).collect::<Result<Vec<_>, _>>()?;
     let mut artifacts = Artifacts::create(&args.out, args.force)?;
     let part = Part::begin(progress, tops.len() as u64, "writing Verilog");
-    for top in tops {
-        let design = top.design(args.format)?;
+    for (top, design) in tops.into_iter().zip(designs) {
         let netlist = flatten(&design)?;
         let stimulus = Stimulus::new(top, args.format, &netlist, args.seed);
         let fits = |(value, port): (&u128, &netlist::Port)| value & mask(port.width);

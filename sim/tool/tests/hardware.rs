@@ -150,6 +150,11 @@ fn export() {
     let first = work.read("rtl/fp_mul_binary16_vectors.hex");
     work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
     assert_eq!(work.read("rtl/fp_mul_binary16_vectors.hex"), first, "the same every time");
+    work.refused(
+        "export --out none --unit shared_units --format binary16",
+        &["shared_units", "binary16", "binary32"],
+    );
+    assert!(!work.path("none").exists(), "a refused export leaves no folder");
     std::fs::create_dir(work.path("mine")).unwrap();
     work.write("mine/note", b"mine");
     work.refused("export --out mine --unit fp_mul", &["mine", "--force"]);
