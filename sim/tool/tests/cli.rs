@@ -2,6 +2,7 @@
 
 mod support;
 
+use golden::structure::StructureKind;
 use support::{Workplace, has_keys};
 
 const COUNTERS: [&str; 4] = ["node_visits", "plane_tests", "box_tests", "triangle_tests"];
@@ -281,7 +282,8 @@ fn reproduce() {
         paths.iter().map(|path| path.as_str().unwrap().to_owned()).collect()
     };
     let paths = artifacts("reproduce --preset smoke --threads 2");
-    let pictures = scenes::procedural::CATALOGUE.len() * 2 * (4 + 1);
+    // Each structure's picture and a heat map, in both tests.
+    let pictures = scenes::procedural::CATALOGUE.len() * 2 * (StructureKind::ALL.len() + 1);
     assert_eq!(
         paths.iter().filter(|path| path.contains("images/") || path.contains("heatmaps/")).count(),
         pictures
