@@ -15,17 +15,17 @@
 //!
 //! ```
 //! use golden::build::{BuildOptions, Quality, build};
-//! use golden::dst::Dst;
-//! use golden::structure::pack_triangles;
+//! use golden::structure::{Structure, StructureKind, pack_triangles};
 //! use golden::{Mode, Ray, TraversalRay};
-//! use studies::walk::walk_dst;
+//! use studies::walk::walk;
 //!
 //! let scene = scenes::procedural::build("statue", 0.0005, 0)?;
 //! let tree = build(&scene.mesh, &BuildOptions::new(Quality::Fast))?;
-//! let dst = Dst::convert(&tree, pack_triangles(&scene.mesh, &tree))?;
+//! let triangles = pack_triangles(&scene.mesh, &tree);
+//! let dst = Structure::convert(StructureKind::Dst, &tree, &triangles)?;
 //! let (eye, target) = (scene.camera.eye, scene.camera.target);
 //! let ray = Ray::new(eye, std::array::from_fn(|axis| target[axis] - eye[axis]));
-//! let walk = walk_dst(&dst, &TraversalRay::new(&ray, Mode::Robust).expect("the camera looks somewhere"));
+//! let walk = walk(&dst, &TraversalRay::new(&ray, Mode::Robust).expect("the camera looks somewhere"));
 //! println!("{} steps to {:?}", walk.steps.len(), walk.hit);
 //! assert!(walk.steps.len() > 1);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
