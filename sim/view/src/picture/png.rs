@@ -45,14 +45,14 @@ pub fn encode(picture: &Picture<u8>) -> Vec<u8> {
 pub(super) fn decode(bytes: &[u8]) -> Result<Picture<f32>, String> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::EXPAND);
-    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    let (width, height) = reader.info().size();
+    let (width, height) = decoder.read_header_info().map_err(|error| error.to_string())?.size();
     let pixels = u64::from(width) * u64::from(height);
     if pixels > MAX_PIXELS.into() {
         return Err(format!(
             "{width} x {height} pixels; pictures of at most {MAX_PIXELS} pixels are compared"
         ));
     }
+    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
     let (color, depth) = reader.output_color_type();
     let size = reader.output_buffer_size().ok_or("the picture does not fit into memory")?;
     let mut samples = vec![0; size];

@@ -143,7 +143,8 @@ fn pipelines_make_the_documented_steps() {
 #[test]
 fn units_and_pipelines_are_plain_pipelines() {
     for &format in StandardFormat::ALL {
-        for top in UNITS.into_iter().chain(PIPELINES) {
+        let exists = |top: &Top| top.formats().contains(&format);
+        for top in UNITS.into_iter().chain(PIPELINES).filter(exists) {
             let design = top.design(format).unwrap();
             assert!(inventory(&design).unwrap().latency_cycles.is_some(), "{top} {format}");
             for module in &design.modules {
