@@ -4,12 +4,18 @@
 //! order in which a quantum's threads have their turn, and the choice of the cycle at which the next quantum begins.
 //! Everything else (fetches, units, operands, both caches, requests, and what is counted of them) is here a second time.
 
-use crate::core::dram::{Dram, Read, Requester};
+mod chip;
+mod l1;
+mod lines;
+
+use crate::core::dram::Dram;
 use crate::core::stats::CacheCounts;
 use crate::core::{Counts, Tape, Work};
-use crate::description::{Cache, MachineDescription};
+use crate::description::MachineDescription;
 use crate::program::{BoardEntry, Kind, Program, START, UNLIMITED};
 use costs::Unit;
+use l1::UnderWay;
+use lines::Lines;
 use std::collections::HashMap;
 
 /// When a word can be used whose line has no known time of arrival.
@@ -67,72 +73,6 @@ struct Request {
     thread: usize,
     kind: Kind,
     address: u32,
-}
-
-/// When something was used. The turn that it was used in counts first, then the thread's rank, then the order of events.
-type Use = (u32, usize, u64);
-
-/// A cache's lines.
-struct Lines {
-    cache: Cache,
-    held: HashMap<u32, Use>,
-    /// Cycle and line of what is on its way.
-    arrivals: Vec<(u32, u32)>,
-}
-
-impl Lines {
-    fn new(cache: &Cache) -> Self {
-        Self { cache: *cache, held: HashMap::new(), arrivals: vec![] }
-    }
-
-    fn set(&self, line: u32) -> u32 {
-        line % (self.cache.lines() / self.cache.associativity)
-    }
-
-    /// Puts what has arrived by cycle `start` in the place of the line of its set that was used longest ago.
-    fn fill(&mut self, start: u32, turn: u32, events: &mut u64) {
-        self.arrivals.sort_by_key(|(cycle, _)| *cycle);
-        while self.arrivals.first().is_some_and(|(cycle, _)| *cycle <= start) {
-            let (_, line) = self.arrivals.remove(0);
-            if !self.cache.enabled {
-                continue;
-            }
-            let set = self.set(line);
-            let rivals = self.held.iter().filter(|(held, _)| self.set(**held) == set && **held != line);
-            let full = rivals.clone().count() >= self.cache.associativity as usize;
-            let oldest = rivals.min_by_key(|(_, used)| **used).map(|(held, _)| *held);
-            if full && !self.held.contains_key(&line) {
-                self.held.remove(&oldest.expect("a full set has a line"));
-            }
-            *events += 1;
-            self.held.insert(line, (turn, 0, *events));
-        }
-    }
-
-    /// Whether `line` is held in cycle `now`. A line that has arrived since the quantum began is held; the line whose place it
-    /// takes is gone where that is the only one of its set, and in larger sets goes at the end of the quantum.
-    fn hit(&mut self, now: u32, line: u32, used: Use) -> bool {
-        let arrived = self.arrivals.iter().filter(|(cycle, _)| *cycle <= now && self.cache.enabled);
-        let direct = self.cache.associativity == 1;
-        let of_its_set =
-            arrived.filter(|(_, other)| *other == line || direct && self.set(*other) == self.set(line));
-        let last = of_its_set.max_by_key(|(cycle, _)| *cycle).map(|(_, other)| *other);
-        match (last, self.held.get_mut(&line)) {
-            (Some(other), _) => other == line,
-            (None, Some(last_used)) => {
-                *last_used = used;
-                true
-            }
-            (None, None) => false,
-        }
-    }
-}
-
-/// A line on its way to a data cache.
-struct UnderWay {
-    arrival: u32,
-    /// Threads and registers that wait for the time of arrival to be known.
-    waiters: Vec<(usize, BoardEntry)>,
 }
 
 struct Tm {
@@ -292,24 +232,6 @@ impl<W: Work> Slow<'_, W> {
         }
     }
 
-    /// The time at which `line` arrives is known.
-    fn arrives(&mut self, tm: usize, line: u32, arrival: u32) {
-        let tm = &mut self.tms[tm];
-        let Some(under_way) = tm.under_way.get_mut(&line) else { return };
-        under_way.arrival = arrival;
-        for (thread, register) in under_way.waiters.drain(..) {
-            let thread = &mut tm.threads[thread];
-            thread.ready[usize::from(register)] = arrival;
-            if thread.state == State::Parked {
-                thread.state = State::Runs;
-                let until = arrival.max(thread.time);
-                self.counts.thread_cycles.data += u64::from(until - thread.time);
-                thread.time = until;
-            }
-        }
-        tm.l1.arrivals.push((arrival, line));
-    }
-
     /// What a thread does in one cycle.
     fn step(&mut self, tm: usize, rank: usize, now: u32) {
         let number = self.tms[tm].order[rank];
@@ -376,54 +298,6 @@ impl<W: Work> Slow<'_, W> {
         self.tms[tm].asks.push(request);
     }
 
-    /// Whether the L1's bank is taken, which it counts.
-    fn l1_refuses(&mut self, request: &Request) -> bool {
-        let bank = request.address % self.machine.l1.banks;
-        let refuses = self.machine.l1.enabled && self.is_taken(Resource::L1(request.tm, bank), request.cycle);
-        self.tms[request.tm].l1_counts.bank_conflicts += u64::from(refuses);
-        refuses
-    }
-
-    /// When the word of a load can be used that finds its line in the L1, or on its way there.
-    fn l1_load(&mut self, request: &Request, rank: usize) -> Option<u32> {
-        let &Request { cycle: now, tm: number, kind, address, .. } = request;
-        if kind != Kind::Load {
-            return None;
-        }
-        let (line, latency) = (address / self.machine.l1.line_words(), self.l1_latency());
-        self.events += 1;
-        let tm = &mut self.tms[number];
-        let ready = if tm.l1.hit(now, line, (self.turn, rank, self.events)) {
-            tm.l1_counts.hits += 1;
-            now + latency
-        } else {
-            let arrival = tm.under_way.get(&line).map(|under_way| under_way.arrival);
-            let arrival = arrival.filter(|arrival| *arrival > now)?;
-            tm.l1_counts.joined += 1;
-            if arrival == UNKNOWN {
-                self.wait_for(request, line);
-                UNKNOWN
-            } else {
-                arrival + latency
-            }
-        };
-        self.tms[number].l1_counts.loads += 1;
-        self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
-        Some(ready)
-    }
-
-    fn l1_latency(&self) -> u32 {
-        if self.machine.l1.enabled { self.machine.l1.latency_cycles } else { 0 }
-    }
-
-    /// The registers of a load wait until it is known when `line` arrives.
-    fn wait_for(&mut self, request: &Request, line: u32) {
-        let Tm { threads, under_way, .. } = &mut self.tms[request.tm];
-        let registers = threads[request.thread].targets(self.program, self.machine);
-        let under_way = under_way.get_mut(&line).expect("it is under way");
-        under_way.waiters.extend(registers.into_iter().map(|register| (request.thread, register)));
-    }
-
     /// The operation of a thread is issued in cycle `now`, and its results can be used from cycle `ready` on.
     fn retire(&mut self, tm: usize, number: usize, now: u32, ready: u32) {
         let program = self.program;
@@ -471,123 +345,6 @@ impl<W: Work> Slow<'_, W> {
         thread.pc = program.code.runs[thread.tape[thread.at] as usize].first as usize;
     }
 
-    /// The chip serves what was asked, cycle by cycle; in each cycle multiprocessors have their turn in ring order from another
-    /// one each quantum, and of one multiprocessor the newest request comes first.
-    fn serve(&mut self, start: u32, length: u32, wakes: bool) {
-        let count = self.tms.len();
-        let first = (start / length) as usize % count;
-        let place = |request: &Request| (request.tm + count - first) % count;
-        let asked: Vec<Request> = self.tms.iter_mut().flat_map(|tm| std::mem::take(&mut tm.asks)).collect();
-        let wakes = wakes && !self.blocked.is_empty();
-        let mut waiting: Vec<Request> = vec![];
-        for now in start..start + length {
-            let mut tries: Vec<Request> = asked.iter().copied().filter(|ask| ask.cycle == now).collect();
-            tries.append(&mut waiting);
-            if wakes {
-                self.dram.advance(now);
-                self.wake(now, &mut tries, place);
-            }
-            tries.sort_by_key(place);
-            for request in tries {
-                let request = Request { cycle: now, ..request };
-                match self.try_to_serve(request) {
-                    Outcome::Served(ready) => {
-                        let thread = &mut self.tms[request.tm].threads[request.thread];
-                        thread.state = State::Runs;
-                        self.retire(request.tm, request.thread, now, ready);
-                        let new_work = request.kind == Kind::Counter;
-                        self.tms[request.tm].answered.push((request.thread, new_work));
-                    }
-                    Outcome::Refused => {
-                        self.counts.thread_cycles.memory += 1;
-                        waiting.push(request);
-                    }
-                    Outcome::Full(line) => self.blocked.push((line, request)),
-                }
-            }
-        }
-        for request in waiting {
-            let thread = &mut self.tms[request.tm].threads[request.thread];
-            (thread.state, thread.time) = (State::Runs, start + length);
-        }
-    }
-
-    /// As many reads as a memory channel has room for try again, and behind each those of the same line.
-    fn wake(&mut self, now: u32, tries: &mut Vec<Request>, place: impl Fn(&Request) -> usize) {
-        for channel in 0..self.machine.dram.channels as usize {
-            for _ in 0..self.dram.room(channel) {
-                let of_channel = self.blocked.iter().filter(|(line, _)| self.dram.channel(*line) == channel);
-                let Some(&(first, _)) = of_channel.min_by_key(|(_, request)| place(request)) else { break };
-                let (woken, rest): (Vec<_>, Vec<_>) =
-                    self.blocked.drain(..).partition(|(line, _)| *line == first);
-                self.blocked = rest;
-                for (_, request) in woken {
-                    self.counts.thread_cycles.memory += u64::from(now - request.cycle);
-                    tries.push(request);
-                }
-            }
-        }
-    }
-
-    fn try_to_serve(&mut self, request: Request) -> Outcome {
-        let Request { cycle: now, tm: number, thread, kind, address } = request;
-        if kind == Kind::Counter {
-            self.tms[number].threads[thread].item = self.next_item;
-            self.next_item = self.work.items().min(self.next_item + 1);
-            return Outcome::Served(now + 1);
-        }
-        if self.l1_refuses(&request) {
-            return Outcome::Refused;
-        }
-        if let Some(ready) = self.l1_load(&request, 0) {
-            return Outcome::Served(ready);
-        }
-        let partition = self.tms[number].partition;
-        let bank = Resource::L2(partition, address % self.machine.l2.banks);
-        if self.is_taken(bank, now) {
-            self.counts.l2.bank_conflicts += 1;
-            return Outcome::Refused;
-        }
-        let line = address / self.machine.l1.line_words();
-        self.dram.advance(now);
-        if kind == Kind::Store {
-            if !self.dram.write(now, line) {
-                return Outcome::Refused;
-            }
-            self.counts.l2.stores += 1;
-            self.tms[number].l1_counts.stores += 1;
-            self.take(bank, now, 1);
-            self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
-            return Outcome::Served(now + 1);
-        }
-        self.events += 1;
-        let latency = self.machine.l2.latency_cycles + self.l1_latency();
-        let arrival = if self.l2s[partition].hit(now, line, (self.turn, 0, self.events)) {
-            self.counts.l2.hits += 1;
-            now + latency
-        } else {
-            match self.dram.read(now, line, Requester { tm: number as u16 }) {
-                Read::Refused => return Outcome::Full(line),
-                Read::Queued => UNKNOWN,
-                Read::Arrives(cycle) => {
-                    self.l2s[partition].arrivals.push((cycle, line));
-                    cycle + latency
-                }
-            }
-        };
-        self.counts.l2.loads += 1;
-        self.tms[number].l1_counts.loads += 1;
-        self.take(bank, now, 1);
-        self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
-        self.tms[number].under_way.insert(line, UnderWay { arrival, waiters: vec![] });
-        if arrival == UNKNOWN {
-            self.wait_for(&request, line);
-        } else {
-            self.tms[number].l1.arrivals.push((arrival, line));
-        }
-        Outcome::Served(arrival)
-    }
-
     fn finish(mut self) -> Counts {
         let threads = || self.tms.iter().flat_map(|tm| &tm.threads);
         let cycles = threads().map(|thread| thread.last_issue).max().unwrap_or(0) + 1;
@@ -598,14 +355,6 @@ impl<W: Work> Slow<'_, W> {
         self.counts.dram = self.dram.counts(cycles);
         self.counts
     }
-}
-
-enum Outcome {
-    Served(u32),
-    /// It tries again in the next cycle.
-    Refused,
-    /// It tries again when the memory channel of this line has room.
-    Full(u32),
 }
 
 impl Thread {

@@ -1,0 +1,134 @@
+//! What the chip does with requests: the counter, the second-level caches and the memory.
+
+use super::l1::UnderWay;
+use super::{Request, Resource, Slow, State, UNKNOWN};
+use crate::core::Work;
+use crate::core::dram::{Read, Requester};
+use crate::program::Kind;
+
+enum Outcome {
+    Served(u32),
+    /// It tries again in the next cycle.
+    Refused,
+    /// It tries again when the memory channel of this line has room.
+    Full(u32),
+}
+
+impl<W: Work> Slow<'_, W> {
+    /// The chip serves what was asked, cycle by cycle; in each cycle multiprocessors have their turn in ring order from another
+    /// one each quantum, and of one multiprocessor the newest request comes first.
+    pub(super) fn serve(&mut self, start: u32, length: u32, wakes: bool) {
+        let count = self.tms.len();
+        let first = (start / length) as usize % count;
+        let place = |request: &Request| (request.tm + count - first) % count;
+        let asked: Vec<Request> = self.tms.iter_mut().flat_map(|tm| std::mem::take(&mut tm.asks)).collect();
+        let wakes = wakes && !self.blocked.is_empty();
+        let mut waiting: Vec<Request> = vec![];
+        for now in start..start + length {
+            let mut tries: Vec<Request> = asked.iter().copied().filter(|ask| ask.cycle == now).collect();
+            tries.append(&mut waiting);
+            if wakes {
+                self.dram.advance(now);
+                self.wake(now, &mut tries, place);
+            }
+            tries.sort_by_key(place);
+            for request in tries {
+                let request = Request { cycle: now, ..request };
+                match self.try_to_serve(request) {
+                    Outcome::Served(ready) => {
+                        let thread = &mut self.tms[request.tm].threads[request.thread];
+                        thread.state = State::Runs;
+                        self.retire(request.tm, request.thread, now, ready);
+                        let new_work = request.kind == Kind::Counter;
+                        self.tms[request.tm].answered.push((request.thread, new_work));
+                    }
+                    Outcome::Refused => {
+                        self.counts.thread_cycles.memory += 1;
+                        waiting.push(request);
+                    }
+                    Outcome::Full(line) => self.blocked.push((line, request)),
+                }
+            }
+        }
+        for request in waiting {
+            let thread = &mut self.tms[request.tm].threads[request.thread];
+            (thread.state, thread.time) = (State::Runs, start + length);
+        }
+    }
+
+    /// As many reads as a memory channel has room for try again, and behind each those of the same line.
+    fn wake(&mut self, now: u32, tries: &mut Vec<Request>, place: impl Fn(&Request) -> usize) {
+        for channel in 0..self.machine.dram.channels as usize {
+            for _ in 0..self.dram.room(channel) {
+                let of_channel = self.blocked.iter().filter(|(line, _)| self.dram.channel(*line) == channel);
+                let Some(&(first, _)) = of_channel.min_by_key(|(_, request)| place(request)) else { break };
+                let (woken, rest): (Vec<_>, Vec<_>) =
+                    self.blocked.drain(..).partition(|(line, _)| *line == first);
+                self.blocked = rest;
+                for (_, request) in woken {
+                    self.counts.thread_cycles.memory += u64::from(now - request.cycle);
+                    tries.push(request);
+                }
+            }
+        }
+    }
+
+    fn try_to_serve(&mut self, request: Request) -> Outcome {
+        let Request { cycle: now, tm: number, thread, kind, address } = request;
+        if kind == Kind::Counter {
+            self.tms[number].threads[thread].item = self.next_item;
+            self.next_item = self.work.items().min(self.next_item + 1);
+            return Outcome::Served(now + 1);
+        }
+        if self.l1_refuses(&request) {
+            return Outcome::Refused;
+        }
+        if let Some(ready) = self.l1_load(&request, 0) {
+            return Outcome::Served(ready);
+        }
+        let partition = self.tms[number].partition;
+        let bank = Resource::L2(partition, address % self.machine.l2.banks);
+        if self.is_taken(bank, now) {
+            self.counts.l2.bank_conflicts += 1;
+            return Outcome::Refused;
+        }
+        let line = address / self.machine.l1.line_words();
+        self.dram.advance(now);
+        if kind == Kind::Store {
+            if !self.dram.write(now, line) {
+                return Outcome::Refused;
+            }
+            self.counts.l2.stores += 1;
+            self.tms[number].l1_counts.stores += 1;
+            self.take(bank, now, 1);
+            self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
+            return Outcome::Served(now + 1);
+        }
+        self.events += 1;
+        let latency = self.machine.l2.latency_cycles + self.l1_latency();
+        let arrival = if self.l2s[partition].hit(now, line, (self.turn, 0, self.events)) {
+            self.counts.l2.hits += 1;
+            now + latency
+        } else {
+            match self.dram.read(now, line, Requester { tm: number as u16 }) {
+                Read::Refused => return Outcome::Full(line),
+                Read::Queued => UNKNOWN,
+                Read::Arrives(cycle) => {
+                    self.l2s[partition].arrivals.push((cycle, line));
+                    cycle + latency
+                }
+            }
+        };
+        self.counts.l2.loads += 1;
+        self.tms[number].l1_counts.loads += 1;
+        self.take(bank, now, 1);
+        self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
+        self.tms[number].under_way.insert(line, UnderWay { arrival, waiters: vec![] });
+        if arrival == UNKNOWN {
+            self.wait_for(&request, line);
+        } else {
+            self.tms[number].l1.arrivals.push((arrival, line));
+        }
+        Outcome::Served(arrival)
+    }
+}
