@@ -105,14 +105,7 @@ impl Unit {
     /// The unit that a module is, by the name of its kind in an elaborated inventory.
     #[must_use]
     pub fn of_module(kind: &str) -> Option<Self> {
-        Some(match kind {
-            "fp_add" => Self::FpAdd,
-            "fp_mul" => Self::FpMul,
-            "fp_min_max" => Self::FpMinMax,
-            "fp_cmp" => Self::FpCmp,
-            "int_add" => Self::IntAdd,
-            _ => return None,
-        })
+        Self::ALL.into_iter().find(|unit| unit.name() == kind)
     }
 }
 

@@ -204,6 +204,23 @@ fn built_in() -> Result<&'static Workload, EstimateError> {
 mod tests {
     use super::*;
 
+    /// Published area in mm2 and energy in nJ of a pipeline's units.
+    fn sum(top: Top) -> (f64, f64) {
+        let units = pipeline(top, Method::Published).unwrap().units;
+        units.iter().fold((0.0, 0.0), |(area, energy), (unit, &count)| {
+            let (cost, count) = (unit.published(), f64::from(count));
+            (area + count * cost.area_um2 / 1e6, energy + count * cost.energy_pj / 1e3)
+        })
+    }
+
+    #[test]
+    fn sums_are_those_of_the_paper() {
+        let (area, energy) = sum(Top::RayBox);
+        assert_eq!((format!("{area:.4}"), format!("{energy:.4}")), ("0.1271".into(), "0.1371".into()));
+        let (area, energy) = sum(Top::DualSplit);
+        assert_eq!((format!("{area:.4}"), format!("{energy:.4}")), ("0.0447".into(), "0.0475".into()));
+    }
+
     #[test]
     fn glue_is_at_most_half_of_the_papers() {
         for top in [Top::DualSplit, Top::DualSplitLean] {
