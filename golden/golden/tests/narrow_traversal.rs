@@ -81,7 +81,7 @@ fn visits_grow_as_bits_fall() {
     let wide = Structure::convert(StructureKind::Dst, &tree, &triangles).unwrap();
     let camera = render::CameraRays::new(&scene.camera, 16, 16).unwrap();
     let rays: Vec<_> = (0..256)
-        .map(|i| camera.ray(f64::from(i % 16) + 0.5, f64::from(i / 16) + 0.5))
+        .map(|i| camera.ray((i % 16) as f32 + 0.5, (i / 16) as f32 + 0.5))
         .filter_map(|ray| TraversalRay::new(&ray, Mode::Robust))
         .collect();
     fn visits(structure: &impl Trace, rays: &[TraversalRay]) -> u64 {

@@ -91,7 +91,7 @@ fn primary_rays_are_the_reference_s() {
         let camera = camera(scene, &mesh);
         let rays = CameraRays::new(&camera, SIDE, SIDE).unwrap();
         for (i, expected) in (0..SIDE * SIDE).zip(&stream.rays) {
-            let found = rays.ray(f64::from(i % SIDE) + 0.5, f64::from(i / SIDE) + 0.5);
+            let found = rays.ray((i % SIDE) as f32 + 0.5, (i / SIDE) as f32 + 0.5);
             let close = |a: [f32; 3], b: [f32; 3], tolerance: f32| {
                 a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
             };

@@ -1,24 +1,22 @@
 //! The integrator: paths, row by row in parallel.
 
-use super::camera::CameraRays;
+use super::frame::Frame;
 use super::output::{ClassTotals, Pixel, Rendering, Work};
-use super::sampling::{PixelSamples, cosine_direction};
+use super::sampling::PixelSamples;
+use super::shading::{Surface, cosine_direction, surface, towards_light};
 use super::stream::{RayClass, RayStream, Wave};
-use super::surface::Surface;
 use super::{ALBEDO, RenderOptions};
-use glam::DVec3;
 use golden::Ray;
 use golden::ray::{Hit, TraversalRay};
 use golden::traverse::{Counters, NoObserver, Trace};
 use rayon::prelude::*;
-use scenes::Scene;
-use std::f64::consts::FRAC_1_PI;
+use scenes::Mesh;
 
 /// Renders with valid options.
 pub(super) fn render<S: Trace>(
     structure: &S,
-    scene: &Scene,
-    camera: &CameraRays,
+    mesh: &Mesh,
+    frame: &Frame,
     options: &RenderOptions,
     rows_done: impl Fn(u64) + Sync,
 ) -> Rendering {
@@ -28,8 +26,8 @@ pub(super) fn render<S: Trace>(
         .into_par_iter()
         .map(|y| {
             let mut row = Row::new(options);
-            let mut tracer = Tracer { structure, scene, options, row: &mut row, work: Work::default() };
-            (0..options.width).for_each(|x| tracer.pixel(camera, x, y));
+            let mut tracer = Tracer { structure, mesh, frame, options, row: &mut row, work: Work::default() };
+            (0..options.width).for_each(|x| tracer.pixel(x, y));
             rows_done(1);
             row
         })
@@ -43,17 +41,17 @@ pub(super) fn render<S: Trace>(
     Rendering { width: options.width, height: options.height, pixels, totals, rays }
 }
 
-/// Renders one pixel with valid options.
+/// Renders one pixel with valid options; also the number of its rays.
 pub(super) fn pixel<S: Trace>(
     structure: &S,
-    scene: &Scene,
-    camera: &CameraRays,
+    mesh: &Mesh,
+    frame: &Frame,
     options: &RenderOptions,
     [x, y]: [u32; 2],
-) -> Pixel {
+) -> (Pixel, u64) {
     let mut row = Row::new(options);
-    Tracer { structure, scene, options, row: &mut row, work: Work::default() }.pixel(camera, x, y);
-    row.pixels.pop().expect("one pixel")
+    Tracer { structure, mesh, frame, options, row: &mut row, work: Work::default() }.pixel(x, y);
+    (row.pixels.pop().expect("one pixel"), row.totals.iter().map(|class| class.rays).sum())
 }
 
 fn join_waves(rows: &[Row], totals: &[ClassTotals; RayClass::WAVES]) -> RayStream {
@@ -89,7 +87,8 @@ impl Row {
 
 struct Tracer<'a, S> {
     structure: &'a S,
-    scene: &'a Scene,
+    mesh: &'a Mesh,
+    frame: &'a Frame,
     options: &'a RenderOptions,
     row: &'a mut Row,
     /// The work of the current pixel.
@@ -97,22 +96,22 @@ struct Tracer<'a, S> {
 }
 
 impl<S: Trace> Tracer<'_, S> {
-    fn pixel(&mut self, camera: &CameraRays, x: u32, y: u32) {
+    fn pixel(&mut self, x: u32, y: u32) {
         let index = u64::from(y) * u64::from(self.options.width) + u64::from(x);
         let samples = PixelSamples::new(self.options.seed, index);
         self.work = Work::default();
-        let mut sum = DVec3::ZERO;
+        let mut sum = [0.0; 3];
         let mut seen = None;
         for sample in 0..self.options.samples {
             let [dx, dy] = samples.place(sample);
-            let ray = camera.ray(f64::from(x) + dx, f64::from(y) + dy);
+            let ray = self.frame.camera.ray(x as f32 + dx, y as f32 + dy);
             let (radiance, first) = self.path(ray, samples, sample);
-            sum += radiance;
+            add(&mut sum, radiance);
             if sample == 0 {
                 seen = first;
             }
         }
-        let rgb = (sum / f64::from(self.options.samples)).to_array().map(|c| c as f32);
+        let rgb = sum.map(|channel| channel / self.options.samples as f32);
         let pixel = Pixel {
             rgb,
             depth: f32::INFINITY,
@@ -122,59 +121,52 @@ impl<S: Trace> Tracer<'_, S> {
         };
         self.row.pixels.push(match seen {
             None => pixel,
-            Some((hit, surface)) => Pixel {
-                depth: hit.t,
-                normal: surface.normal.to_array().map(|c| c as f32),
-                triangle: hit.triangle,
-                ..pixel
-            },
+            Some((hit, surface)) => {
+                Pixel { depth: hit.t, normal: surface.normal, triangle: hit.triangle, ..pixel }
+            }
         });
     }
 
     /// The radiance along `ray`, and what it hits first.
-    fn path(&mut self, mut ray: Ray, samples: PixelSamples, sample: u32) -> (DVec3, Option<(Hit, Surface)>) {
-        let bounces = self.options.test.bounces();
-        let mut radiance = DVec3::ZERO;
+    fn path(
+        &mut self,
+        mut ray: Ray,
+        samples: PixelSamples,
+        sample: u32,
+    ) -> ([f32; 3], Option<(Hit, Surface)>) {
+        let bounces = self.frame.bounces;
+        let mut radiance = [0.0; 3];
         // All surfaces reflect all colours alike.
-        let mut throughput = 1.0;
+        let mut throughput = 1f32;
         let mut first = None;
         for vertex in 0..=bounces {
             let Some(hit) = self.closest(2 * vertex, &ray) else {
-                radiance += throughput * colour(self.options.background);
+                add(&mut radiance, self.frame.background.map(|channel| throughput * channel));
                 break;
             };
-            let corners = self.scene.mesh.corners(hit.triangle as usize);
-            let surface = Surface::new(corners, &hit, ray.direction);
+            let corners = self.mesh.corners(hit.triangle as usize);
+            let surface = surface(&corners, &hit, ray.direction);
             if vertex == 0 {
                 first = Some((hit, surface));
             }
             throughput *= ALBEDO;
-            radiance += throughput * FRAC_1_PI * self.irradiance(2 * vertex + 1, &surface);
+            if let Some(light) = self.light(2 * vertex + 1, &surface, throughput) {
+                add(&mut radiance, self.frame.light.intensity.map(|channel| light * channel));
+            }
             if vertex < bounces {
                 let direction = cosine_direction(surface.normal, samples.bounce(sample, vertex));
-                ray = Ray::new(surface.origin, direction.to_array().map(|c| c as f32));
+                ray = Ray::new(surface.origin, direction);
             }
         }
         (radiance, first)
     }
 
-    /// The light that reaches `surface` from the point light.
-    fn irradiance(&mut self, wave: usize, surface: &Surface) -> DVec3 {
-        let light = &self.scene.light;
-        let origin = surface.origin;
-        let direction: [f32; 3] = std::array::from_fn(|axis| light.position[axis] - origin[axis]);
-        let towards = colour(direction);
-        let cosine_times_distance = surface.normal.dot(towards);
-        if cosine_times_distance <= 0.0 {
-            return DVec3::ZERO;
-        }
-        // The direction reaches from the surface to the light at t = 1.
-        let ray = Ray { origin, direction, t_min: 0.0, t_max: 1.0 };
-        if self.occluded(wave, &ray) {
-            return DVec3::ZERO;
-        }
-        let squared = towards.length_squared();
-        colour(light.intensity) * (cosine_times_distance / squared.sqrt() / squared)
+    /// The light that `surface` reflects, per unit of the light's intensity, if any reaches it.
+    fn light(&mut self, wave: usize, surface: &Surface, throughput: f32) -> Option<f32> {
+        let light = &self.frame.light;
+        let towards = towards_light(surface, light.position)?;
+        let reflected = towards.reflected(throughput, light.extent);
+        (!self.occluded(wave, &towards.shadow)).then_some(reflected)
     }
 
     fn closest(&mut self, wave: usize, ray: &Ray) -> Option<Hit> {
@@ -208,7 +200,6 @@ impl<S: Trace> Tracer<'_, S> {
     }
 }
 
-/// Three components in double precision.
-fn colour(rgb: [f32; 3]) -> DVec3 {
-    DVec3::from_array(rgb.map(f64::from))
+fn add(sum: &mut [f32; 3], channels: [f32; 3]) {
+    sum.iter_mut().zip(channels).for_each(|(sum, channel)| *sum += channel);
 }

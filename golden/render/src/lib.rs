@@ -6,7 +6,8 @@
 //!
 //! A picture depends on the scene and on [`RenderOptions`] alone, not on the structure, the number of threads or the machine. All
 //! structures find the same hits bit for bit. Every sample is drawn from a sequence of its own. Sine, cosine and tangent come from
-//! `libm`. Sums have a fixed order.
+//! `libm`. [`shading`] states every operation, all in single precision. Only what the pixels share, the [`Frame`], is prepared in
+//! double precision.
 //!
 //! Surfaces are grey and diffuse ([`ALBEDO`]). The normal is that of the triangle, turned towards the ray. A shadow ray is cast only
 //! where the light is above the surface.
@@ -34,28 +35,30 @@
 //! ```
 
 mod camera;
+mod frame;
 mod integrate;
 mod output;
 pub mod ray_file;
 mod sampling;
+pub mod shading;
 mod stream;
-mod surface;
 
 pub use camera::{CameraError, CameraRays};
+pub use frame::{Frame, Light};
 pub use output::{ClassTotals, Pixel, Rendering, Work};
+pub use sampling::sample;
 pub use stream::{RayClass, RayStream, Wave};
-pub use surface::{OFFSET_ULPS, Surface};
 
 use golden::ray::Mode;
 use golden::traverse::Trace;
-use scenes::Scene;
+use scenes::{Mesh, Scene};
 use std::fmt;
 
 /// Bounces of a path after its primary ray.
 pub const DIFFUSE_BOUNCES: usize = 5;
 
 /// The fraction of light that every surface reflects.
-pub const ALBEDO: f64 = 0.7;
+pub const ALBEDO: f32 = 0.7;
 
 /// The greatest width and height of an image.
 pub const MAX_SIDE: u32 = 16_384;
@@ -65,6 +68,9 @@ pub const MAX_PIXELS: u32 = 1 << 26;
 
 /// The greatest number of samples per pixel, the length of the sample sequence.
 pub const MAX_SAMPLES: u32 = 1 << 16;
+
+/// The largest magnitude of a coordinate of the light: 2^125, so that its distance from any point of a mesh stays below 2^127.
+pub const MAX_LIGHT_COORDINATE: f32 = 32.0 * scenes::MAX_COORDINATE;
 
 /// What is rendered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -171,6 +177,11 @@ pub enum RenderError {
         /// Its value.
         value: [f32; 3],
     },
+    /// The light is too far away.
+    #[error(
+        "light position {0:?}: each component must be at most {MAX_LIGHT_COORDINATE:e} in magnitude; move the light closer"
+    )]
+    LightTooFar([f32; 3]),
     /// The camera sees nothing.
     #[error(transparent)]
     Camera(#[from] CameraError),
@@ -191,15 +202,15 @@ pub fn render<S: Trace>(
     options: &RenderOptions,
     rows_done: impl Fn(u64) + Sync,
 ) -> Result<Rendering, RenderError> {
-    let camera = check(scene, options)?;
-    Ok(integrate::render(structure, scene, &camera, options, rows_done))
+    let frame = Frame::new(scene, options)?;
+    Ok(integrate::render(structure, &scene.mesh, &frame, options, rows_done))
 }
 
 /// Renders the pixels of a picture one by one, so that a caller knows which rays belong to which pixel.
 pub struct PixelRenderer<'a> {
-    scene: &'a Scene,
+    mesh: &'a Mesh,
     options: RenderOptions,
-    camera: CameraRays,
+    frame: Frame,
 }
 
 impl<'a> PixelRenderer<'a> {
@@ -208,7 +219,13 @@ impl<'a> PixelRenderer<'a> {
     /// # Errors
     /// See [`RenderError`].
     pub fn new(scene: &'a Scene, options: &RenderOptions) -> Result<Self, RenderError> {
-        Ok(Self { scene, options: *options, camera: check(scene, options)? })
+        Ok(Self { mesh: &scene.mesh, options: *options, frame: Frame::new(scene, options)? })
+    }
+
+    /// What the pixels share.
+    #[must_use]
+    pub fn frame(&self) -> &Frame {
+        &self.frame
     }
 
     /// The pixel at column and row `place`, with its rays traced through `structure` one after another.
@@ -216,35 +233,16 @@ impl<'a> PixelRenderer<'a> {
     /// # Panics
     /// If `structure` was not built over the scene's mesh.
     pub fn pixel<S: Trace>(&self, structure: &S, place: [u32; 2]) -> Pixel {
-        integrate::pixel(structure, self.scene, &self.camera, &self.options, place)
+        self.pixel_and_rays(structure, place).0
     }
-}
 
-/// The camera, if `scene` can be rendered so.
-fn check(scene: &Scene, options: &RenderOptions) -> Result<CameraRays, RenderError> {
-    let RenderOptions { width, height, samples, .. } = *options;
-    let sides = 1..=MAX_SIDE;
-    if !sides.contains(&width) || !sides.contains(&height) || width * height > MAX_PIXELS {
-        return Err(RenderError::Size { width, height });
+    /// [`PixelRenderer::pixel`], and how many rays were traced for it.
+    ///
+    /// # Panics
+    /// If `structure` was not built over the scene's mesh.
+    pub fn pixel_and_rays<S: Trace>(&self, structure: &S, place: [u32; 2]) -> (Pixel, u64) {
+        integrate::pixel(structure, self.mesh, &self.frame, &self.options, place)
     }
-    if !(1..=MAX_SAMPLES).contains(&samples) {
-        return Err(RenderError::Samples(samples));
-    }
-    let rays_per_sample = 2 * (options.test.bounces() as u64 + 1);
-    let rays = u64::from(width) * u64::from(height) * u64::from(samples) * rays_per_sample;
-    if options.keep_rays && rays > u64::from(u32::MAX) {
-        return Err(RenderError::TooManyRays(rays));
-    }
-    for (name, value) in [
-        ("light position", scene.light.position),
-        ("light intensity", scene.light.intensity),
-        ("background", options.background),
-    ] {
-        if value.iter().any(|x| !x.is_finite()) {
-            return Err(RenderError::NotFinite { name, value });
-        }
-    }
-    Ok(CameraRays::new(&scene.camera, width, height)?)
 }
 
 #[cfg(test)]

@@ -125,6 +125,48 @@ fn the_stream_is_the_rays_that_were_traced() {
     );
 }
 
+#[test]
+fn pixels_one_by_one_are_those_of_the_picture() {
+    let scene = scene();
+    let structure = structure(&scene, StructureKind::Bvh2);
+    let options = RenderOptions { keep_rays: false, ..options(Test::Path) };
+    let picture = render(&structure, &scene, &options, |_| {}).unwrap();
+    let renderer = PixelRenderer::new(&scene, &options).unwrap();
+    assert_eq!(renderer.frame().bounces, DIFFUSE_BOUNCES);
+    let mut total = 0;
+    for (i, expected) in (0..).zip(&picture.pixels) {
+        let place = [i % options.width, i / options.width];
+        let (pixel, rays) = renderer.pixel_and_rays(&structure, place);
+        assert_eq!(&pixel, expected);
+        assert!(rays >= u64::from(options.samples));
+        total += rays;
+    }
+    assert_eq!(total, picture.total().rays);
+}
+
+/// Every length of the scene times 2^20 or 2^-20.
+#[test]
+fn a_picture_does_not_depend_on_the_unit_of_length() {
+    let scene = scenes::procedural::build("atrium", 0.002, 0).unwrap();
+    let options = RenderOptions { samples: 2, ..RenderOptions::new(Test::Path, 32, 32) };
+    let first = rendering(&scene, StructureKind::Bvh2, &options);
+    for exponent in [20, -20] {
+        let scale = 2f32.powi(exponent);
+        let mut scaled = scene.clone();
+        scaled.mesh.positions.iter_mut().flatten().for_each(|x| *x *= scale);
+        let (camera, light) = (&mut scaled.camera, &mut scaled.light);
+        let lengths = camera.eye.iter_mut().chain(&mut camera.target).chain(&mut light.position);
+        lengths.for_each(|x| *x *= scale);
+        light.intensity.iter_mut().for_each(|channel| *channel *= scale * scale);
+        let other = rendering(&scaled, StructureKind::Bvh2, &options);
+        for (a, b) in first.pixels.iter().zip(&other.pixels) {
+            assert_eq!((a.rgb, a.normal, a.triangle), (b.rgb, b.normal, b.triangle), "2^{exponent}");
+            assert_eq!(a.depth * scale, b.depth, "2^{exponent}");
+        }
+    }
+    assert!(first.pixels.iter().any(|pixel| pixel.rgb != first.pixels[0].rgb));
+}
+
 /// A floor lit from straight above has a radiance that can be written down.
 #[test]
 fn direct_light_is_lambert() {
@@ -139,7 +181,7 @@ fn direct_light_is_lambert() {
     assert!((pixel.depth - 61f32.sqrt()).abs() < 1e-5);
     // 4 below and 5 beside the light.
     let irradiance = 8.0 * 4.0 / 41f64.powf(1.5);
-    let expected = ALBEDO / std::f64::consts::PI * irradiance;
+    let expected = f64::from(ALBEDO) / std::f64::consts::PI * irradiance;
     assert!((f64::from(pixel.rgb[0]) / expected - 1.0).abs() < 1e-4, "{pixel:?} {expected}");
     assert_eq!(pixel.rgb[0], 2.0 * pixel.rgb[1]);
 }
@@ -180,6 +222,11 @@ fn options_out_of_range() {
     assert_eq!(error(&scene, RenderOptions { samples: 0, ..good }), RenderError::Samples(0));
     let many = RenderOptions { width: 8192, height: 8192, samples: 8, keep_rays: true, ..good };
     assert!(matches!(error(&scene, many), RenderError::TooManyRays(_)));
+    let mut far = scene.clone();
+    far.light.position[1] = -MAX_LIGHT_COORDINATE;
+    assert!(render(&structure, &far, &good, |_| {}).is_ok());
+    far.light.position[1] = (-MAX_LIGHT_COORDINATE).next_down();
+    assert_eq!(error(&far, good), RenderError::LightTooFar(far.light.position));
     let background = [f32::NAN; 3];
     assert!(matches!(error(&scene, RenderOptions { background, ..good }), RenderError::NotFinite { .. }));
     let mut dark = scene.clone();

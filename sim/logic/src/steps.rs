@@ -156,7 +156,7 @@ mod tests {
         let (mut steps, mut boxes) = (DualSplitStep::default(), RayBoxStep::default());
         let mut hits = 0;
         for pixel in 0..32 * 32 {
-            let given = camera.ray(f64::from(pixel % 32) + 0.5, f64::from(pixel / 32) + 0.5);
+            let given = camera.ray((pixel % 32) as f32 + 0.5, (pixel / 32) as f32 + 0.5);
             let ray = TraversalRay::new(&given, Mode::Robust).unwrap();
             let found = closest_by_steps(&dst, &ray, &mut NoObserver, |words, ray, t_min, t_max| {
                 steps.step(words, ray, t_min, t_max)

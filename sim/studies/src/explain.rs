@@ -98,7 +98,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Explanatio
     );
     let mut scene = args.scene.load(progress)?;
     args.view.apply(&mut scene)?;
-    let ray = CameraRays::new(&scene.camera, width, height)?.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
+    let ray = CameraRays::new(&scene.camera, width, height)?.ray(x as f32 + 0.5, y as f32 + 0.5);
     let built = Built::new(&scene, args.quality, progress)?;
     let mode = args.mode;
     let Some(prepared) = TraversalRay::new(&ray, mode) else {

@@ -54,7 +54,7 @@ impl<'n> Hardware<'n> {
 /// The camera's rays of a small image.
 fn image_rays(scene: &Scene, size: u32, mode: Mode) -> Vec<TraversalRay> {
     let camera = CameraRays::new(&scene.camera, size, size).expect("a sound camera");
-    let pixel = |i: u32| camera.ray(f64::from(i % size) + 0.5, f64::from(i / size) + 0.5);
+    let pixel = |i: u32| camera.ray((i % size) as f32 + 0.5, (i / size) as f32 + 0.5);
     (0..size * size).filter_map(|i| TraversalRay::new(&pixel(i), mode)).collect()
 }
 

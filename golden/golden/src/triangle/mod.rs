@@ -146,14 +146,7 @@ impl TriangleTest {
     #[must_use]
     pub fn new(ray: &TraversalRay) -> Self {
         let d = ray.direction;
-        let [x, y, z] = d.map(f32::abs);
-        let largest = if x > y && x > z {
-            0
-        } else if y > z {
-            1
-        } else {
-            2
-        };
+        let largest = largest_axis(d);
         let axes = [(largest + 1) % 3, (largest + 2) % 3, largest];
         Self { axes, shear: [d[axes[0]] / d[axes[2]], d[axes[1]] / d[axes[2]], 1.0 / d[axes[2]]] }
     }
@@ -181,7 +174,7 @@ impl TriangleTest {
         if (positive == 7 || negative == 7) && in_range {
             self.locate(ray, triangle, edges, az, (m, bound), t_max)
         } else {
-            decide_exactly(ray, triangle, self.axes[2], t_max)
+            decide_exactly(ray, triangle, t_max)
         }
     }
 
@@ -199,13 +192,26 @@ impl TriangleTest {
         let depths = edges.mul(az);
         let depth = depths.x() + depths.y() + depths.z();
         if depth.abs() <= 4.0 * m * (bound + 4.0 * UNIT_ROUNDOFF * largest_lane(edges.abs())) {
-            return decide_exactly(ray, triangle, self.axes[2], t_max);
+            return decide_exactly(ray, triangle, t_max);
         }
         let determinant = edges.x() + edges.y() + edges.z();
         let inv_determinant = 1.0 / determinant;
         let t = depth * self.shear[2] * inv_determinant;
         let hit = TriangleHit { t, u: edges.y() * inv_determinant, v: edges.z() * inv_determinant };
         within_box(ray, triangle, hit, t_max)
+    }
+}
+
+/// The axis of the largest component; of equal ones the last.
+#[inline(always)]
+fn largest_axis(direction: [f32; 3]) -> usize {
+    let [x, y, z] = direction.map(f32::abs);
+    if x > y && x > z {
+        0
+    } else if y > z {
+        1
+    } else {
+        2
     }
 }
 
@@ -217,9 +223,18 @@ fn largest_lane(x: F32x4) -> f32 {
 
 #[cold]
 #[inline(never)]
-fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, axis: usize, t_max: f32) -> Option<TriangleHit> {
-    let corners = triangle.corners();
-    let exact::Signed { edges, depth_sign } = exact::evaluate(ray.origin, ray.direction, &corners);
+fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, t_max: f32) -> Option<TriangleHit> {
+    let hit = exact_hit(ray.origin, ray.direction, &triangle.corners())?;
+    within_box(ray, triangle, hit, t_max)
+}
+
+/// Where the line from `origin` along `direction` meets the closed triangle, decided exactly; `t` is not clamped to the triangle's
+/// bounding box, and is negative for a triangle behind the origin. All inputs must be finite.
+///
+/// `t` is in units of the length of `direction`. Scaled like [`TraversalRay::direction`], it gives the `t` of [`TriangleHit`].
+#[must_use]
+pub fn exact_hit(origin: [f32; 3], direction: [f32; 3], corners: &[[f32; 3]; 3]) -> Option<TriangleHit> {
+    let exact::Signed { edges, depth_sign } = exact::evaluate(origin, direction, corners);
     let positive = edges.iter().any(|x| *x > 0.0);
     let negative = edges.iter().any(|x| *x < 0.0);
     if positive == negative {
@@ -229,18 +244,18 @@ fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, axis: usize, t_max: f
     // Dividing by the largest first keeps tiny and huge weights alike in range.
     let largest = edges.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let weights = edges.map(|x| x.abs() / largest);
+    let axis = largest_axis(direction);
     let sum = weights[0] + weights[1] + weights[2];
     let depth: f64 =
-        (0..3).map(|i| weights[i] * (f64::from(corners[i][axis]) - f64::from(ray.origin[axis]))).sum();
-    let t = (depth / sum / f64::from(ray.direction[axis])) as f32;
+        (0..3).map(|i| weights[i] * (f64::from(corners[i][axis]) - f64::from(origin[axis]))).sum();
+    let t = (depth / sum / f64::from(direction[axis])) as f32;
     // Rounding must not move the triangle to the other side of the origin.
     let t = match depth_sign {
         Ordering::Less => t.min(-f32::MIN_POSITIVE),
         Ordering::Equal => 0.0,
         Ordering::Greater => t.max(0.0),
     };
-    let hit = TriangleHit { t, u: (weights[1] / sum) as f32, v: (weights[2] / sum) as f32 };
-    within_box(ray, triangle, hit, t_max)
+    Some(TriangleHit { t, u: (weights[1] / sum) as f32, v: (weights[2] / sum) as f32 })
 }
 
 /// The lesser of two finite numbers; either of two zeros.

@@ -66,7 +66,7 @@ mod tests {
         let camera = CameraRays::new(&scene.camera, 8, 8).unwrap();
         let mut two = 0;
         for pixel in 0..64 {
-            let ray = camera.ray(f64::from(pixel % 8) + 0.5, f64::from(pixel / 8) + 0.5);
+            let ray = camera.ray((pixel % 8) as f32 + 0.5, (pixel / 8) as f32 + 0.5);
             let ray = TraversalRay::new(&ray, Mode::Robust).unwrap();
             let here = Child { offset: 0, t_min: ray.t_min, t_max: ray.t_max };
             let golden = golden_step(dst.node(0), &ray, here.t_min, here.t_max);

@@ -25,7 +25,7 @@ fn walks_are_the_kernels() {
     let triangles = pack_triangles(&scene.mesh, &tree);
     let structures = StructureKind::ALL.map(|kind| Structure::convert(kind, &tree, &triangles).unwrap());
     let camera = CameraRays::new(&scene.camera, 24, 24).unwrap();
-    let rays = (0..576).map(|i| camera.ray(f64::from(i % 24) + 0.5, f64::from(i / 24) + 0.5));
+    let rays = (0..576).map(|i| camera.ray((i % 24) as f32 + 0.5, (i / 24) as f32 + 0.5));
     let scaled = Ray { direction: [3.0, -2.0, -1.5], ..camera.ray(12.0, 12.0) };
     let mut hits = 0;
     for ray in rays.chain([scaled]) {
