@@ -1,7 +1,7 @@
 //! What happens at the two ends of a ray: every operation of the renderer, in single precision and in a stated order.
 //!
 //! A program of another machine that performs these operations gets the same picture bit for bit. All values are binary32. Every
-//! operation rounds once, to nearest even, and subnormal numbers are kept. Nothing is fused. Parentheses say what is computed
+//! operation rounds once, to nearest even, and subnormal numbers are kept; constants are rounded likewise. Nothing is fused. Parentheses say what is computed
 //! first; `x + y + z` does not occur. Three operations are not IEEE operations: [`inverse_square_root`], [`sine`] and [`cosine`].
 //! `sqrt` is correctly rounded. `unscale(m)` is [`unscale`], the reciprocal of the power of two at or below `m`. `largest` is the
 //! largest absolute value of all components.
@@ -73,14 +73,14 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 /// both products add 4 units. The three sums have results of at most about `L` and add a unit each. The origin is thus off by 7 units
 /// in each component, and by at most 13 along any direction.
 ///
-/// The normal is within 0.16 of the exact one wherever it is computed ([`LEAST_SQUARED_NORMAL`]), so that the offset takes the origin
+/// The normal is within 0.16 of the exact one wherever it is computed, so that the offset takes the origin
 /// 126 units away from the triangle's plane, and at least 113 units are left. The triangle test decides the sign of a distance
 /// exactly. So a ray that rises from the plane misses the triangle. The margin is for the neighbours: triangles that are in one plane but
 /// for the rounding of their corners, by one unit in each component.
 ///
 /// The directions of [`cosine_direction`] have a cosine of at least 2^-12 with the computed normal. They rise from the plane if
 /// the normal's angle is less than that off: if the sine of the angle between the edges is above 2^-10, hence if `squared` is at least
-/// 2^-12. Of a thinner triangle, a ray within a fraction of a degree of its plane can hit the triangle that it leaves.
+/// 2^-12. A ray that leaves a thinner triangle at a smaller angle than the normal's error can hit it again.
 ///
 /// Waechter and Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, 2019, step by 256
 /// units of each coordinate of the point, and by a fixed distance near the origin. The triangle's largest coordinate, taken
@@ -91,7 +91,7 @@ pub const OFFSET_ULPS: u32 = 128;
 /// direction is a normal.
 ///
 /// With `u` = 2^-24, `|p|` and `|q|` the lengths of the edges and `sin` the sine of the angle between them: an edge is off by
-/// `u` times its length, which makes `2 u |p| |q|` in the product. The six products of components add `1.16 u |p| |q|`, and the
+/// `u` times its length, which makes `2 u |p| |q|` in the product. The six products of components, rounded, add `1.16 u |p| |q|`, and the
 /// differences `u |n|`. The normal's direction is therefore off by `(3.2 / sin + 1) u`. As `|p|` and `|q|` are below `2 sqrt(3)`, a
 /// `squared` of 2^-32 means a sine above 2^-16 / 12, so the error is below 0.16.
 const LEAST_SQUARED_NORMAL: f32 = 1.0 / 4_294_967_296.0;

@@ -1,13 +1,14 @@
 //! The formulas on values that another implementation computed, and what the renderer needs of them.
 
 use super::*;
+use crate::Light;
 use crate::sampling::PixelSamples;
 use glam::DVec3;
 use golden::Mode;
 use golden::traverse::brute_force;
 use golden::triangle::Triangle;
 use proptest::prelude::*;
-use scenes::Mesh;
+use scenes::{Mesh, PointLight};
 
 fn bits<const N: usize>(x: [f32; N]) -> [u32; N] {
     x.map(f32::to_bits)
@@ -18,8 +19,8 @@ const NORMAL: V3 = [0.6, -0.64, 0.48];
 #[test]
 fn roots_sines_and_cosines() {
     assert_eq!(
-        bits([1e-38, 0.3, 2.0, 3.0, 1e38].map(inverse_square_root)),
-        [0x5f0ac723, 0x3fe9b1e8, 0x3f3504f3, 0x3f13cd3a, 0x1fec1e4b]
+        bits([1e-38, 0.3, 2.0, 3.0, 7.0, 1e38].map(inverse_square_root)),
+        [0x5f0ac723, 0x3fe9b1e8, 0x3f3504f3, 0x3f13cd3a, 0x3ec1848f, 0x1fec1e4b]
     );
     let angles = [0.1, 1.0, 2.5, 6.2];
     assert_eq!(bits(angles.map(sine)), [0x3dcc7577, 0x3f576aa4, 0x3f193578, 0xbdaa2ae0]);
@@ -142,6 +143,15 @@ fn ways_to_the_light() {
             0x41dc9ae0,
         ),
         (
+            [-0.27, 0.12, -0.73],
+            [-3.45, -1.45, 1.93],
+            0.49,
+            2.0,
+            [0xbfcb851f, 0xbf48f5c3, 0x3faa3d70],
+            0x40000000,
+            0x3b2f541f,
+        ),
+        (
             [1e20, 2e20, -1e20],
             [3e20, 1e20, 5e20],
             0.7,
@@ -159,6 +169,29 @@ fn ways_to_the_light() {
     let level = Surface { normal: [0.0, 1.0, 0.0], origin: [1.0; 3] };
     for position in [[9.0, 1.0, 3.0], [1.0, 0.0, 1.0], [1.0; 3], [0.0, 2f32.powi(127), 0.0]] {
         assert_eq!(towards_light(&level, position), None, "{position:?}");
+    }
+}
+
+/// Pictures can be compared at scales at which single precision decides triangle tests; this goes to the ends of the range.
+#[test]
+fn light_does_not_depend_on_the_unit_of_length() {
+    let reflected = |exponent: i32| {
+        let scale = 2f32.powi(exponent);
+        let corners = [[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [0.0, 0.0, 3.0]].map(|p: V3| p.map(|x| x * scale));
+        let mesh = Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]] };
+        let light = PointLight {
+            position: [0.7, 20.0, 0.9].map(|x| x * scale),
+            intensity: [1.7 * scale * scale, 0.0, 0.0],
+        };
+        let light = Light::new(&light, &mesh);
+        let hit = Hit { t: 1.0, u: 0.3, v: 0.4, triangle: 0 };
+        let surface = surface(&corners, &hit, [0.36, -0.48, 0.8]);
+        let towards = towards_light(&surface, light.position).unwrap();
+        (surface.normal, towards.reflected(0.7, light.extent) * light.intensity[0])
+    };
+    assert_eq!(reflected(0).0, [0.0, 1.0, 0.0]);
+    for exponent in [-62, -20, 20, 62] {
+        assert_eq!(reflected(exponent), reflected(0), "2^{exponent}");
     }
 }
 
