@@ -62,6 +62,10 @@ mod tests {
         assert_eq!(PixelSamples::new(3, 5).place(0), [0.5; 2]);
         assert_ne!(PixelSamples::new(3, 5).place(1), PixelSamples::new(3, 6).place(1));
         assert_eq!(PixelSamples::new(3, 5).place(7), [sample(3, 5, 7, 0), sample(3, 5, 7, 1)]);
+        let dimensions: Vec<f32> = (0..12).map(|dimension| sample(3, 5, 7, dimension)).collect();
+        for (i, value) in dimensions.iter().enumerate() {
+            assert!(!dimensions[..i].contains(value), "{dimensions:?}");
+        }
         assert_eq!(PixelSamples::new(3, 5).bounce(7, 4), [sample(3, 5, 7, 10), sample(3, 5, 7, 11)]);
     }
 }

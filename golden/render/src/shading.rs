@@ -1,10 +1,10 @@
 //! What happens at the two ends of a ray: every operation of the renderer, in single precision and in a stated order.
 //!
 //! A program of another machine that performs these operations gets the same picture bit for bit. All values are binary32. Every
-//! operation rounds once, to nearest even, and subnormal numbers are kept; constants are rounded likewise. Nothing is fused. Parentheses say what is computed
-//! first; `x + y + z` does not occur. Three operations are not IEEE operations: [`inverse_square_root`], [`sine`] and [`cosine`].
-//! `sqrt` is correctly rounded. `unscale(m)` is [`unscale`], the reciprocal of the power of two at or below `m`. `largest` is the
-//! largest absolute value of all components.
+//! operation rounds once, to nearest even, and subnormal numbers are kept; constants are rounded likewise. Nothing is fused.
+//! Parentheses say what is computed first; `x + y + z` does not occur. Three operations are not IEEE operations:
+//! [`inverse_square_root`], [`sine`] and [`cosine`]. `sqrt` is correctly rounded. `unscale(m)` is [`unscale`], the reciprocal of the
+//! power of two at or below `m`. `largest` is the largest absolute value of all components.
 //!
 //! **Primary ray** ([`primary_direction`]) through `column` and `row`, which are the pixel's integer coordinates, each rounded to
 //! binary32, plus the place in the pixel; for each component:
