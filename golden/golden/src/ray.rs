@@ -203,6 +203,42 @@ impl PlaneDistances for TraversalRay {
     }
 }
 
+/// What a ray's steps need of it: what the pipelines get.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaneRay {
+    /// Start of the ray.
+    pub origin: [f32; 3],
+    /// Reciprocals for planes where the ray enters; their sign bits say which side of a box is entered first.
+    pub inv_entry: [f32; 3],
+    /// Reciprocals for planes where the ray leaves.
+    pub inv_exit: [f32; 3],
+}
+
+impl TraversalRay {
+    /// What its steps need.
+    #[must_use]
+    pub fn planes(&self) -> PlaneRay {
+        PlaneRay { origin: self.origin, inv_entry: self.inv_entry, inv_exit: self.inv_exit }
+    }
+}
+
+impl PlaneDistances for PlaneRay {
+    #[inline(always)]
+    fn is_negative(&self, axis: usize) -> bool {
+        self.inv_entry[axis].is_sign_negative()
+    }
+
+    #[inline(always)]
+    fn entry(&self, plane: f32, axis: usize) -> f32 {
+        (plane - self.origin[axis]) * self.inv_entry[axis]
+    }
+
+    #[inline(always)]
+    fn exit(&self, plane: f32, axis: usize) -> f32 {
+        (plane - self.origin[axis]) * self.inv_exit[axis]
+    }
+}
+
 #[inline(always)]
 fn entry_reciprocal(d: f32, mode: Mode) -> f32 {
     let inv = 1.0 / d;

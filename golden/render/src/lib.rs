@@ -46,7 +46,7 @@ mod stream;
 pub use camera::{CameraError, CameraRays};
 pub use frame::{Frame, Light};
 pub use output::{ClassTotals, Pixel, Rendering, Work};
-pub use sampling::sample;
+pub use sampling::{SAMPLE_DIMENSIONS, sample};
 pub use stream::{RayClass, RayStream, Wave};
 
 use golden::ray::Mode;

@@ -5,6 +5,9 @@ use base::split_mix::hash;
 /// A component of a sample point in [0, 1): the value of the Owen-scrambled Sobol sequence of pixel `pixel`, counted row by row, at
 /// `sample_index` and `dimension`, with which a picture of seed `seed` is rendered.
 ///
+/// Number of dimensions.
+pub const SAMPLE_DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
+
 /// Dimensions 0 and 1 are the place in the pixel, of all samples but the first; 2 + 2 `b` and 3 + 2 `b` the direction of bounce `b`,
 /// counted from 0.
 ///

@@ -2,8 +2,9 @@
 //!
 //! Each step flushes the pipeline ([`Compiled::flush`]), which gives at once the outputs of eight cycles later.
 
+use golden::Aabb;
 use golden::dst::{Child, Code, Step};
-use golden::{Aabb, TraversalRay};
+use golden::ray::PlaneRay;
 use lanes::{Compiled, Program, Slot};
 use netlist::Engine;
 use pipelines::catalogue::{StandardFormat, Top};
@@ -54,7 +55,7 @@ impl Pipeline {
     }
 
     #[inline]
-    fn run(&mut self, ray: &TraversalRay, t_min: f32, t_max: f32) {
+    fn run(&mut self, ray: &PlaneRay, t_min: f32, t_max: f32) {
         for (slots, vector) in self.vectors.into_iter().zip([&ray.origin, &ray.inv_entry, &ray.inv_exit]) {
             for (slot, component) in slots.into_iter().zip(vector) {
                 self.drive(slot, component.to_bits());
@@ -95,7 +96,7 @@ impl Default for DualSplitStep {
 impl DualSplitStep {
     /// What the pipeline returns for the node `words` and the part `t_min..=t_max` of `ray`.
     #[must_use]
-    pub fn step(&mut self, words: [u32; 3], ray: &TraversalRay, t_min: f32, t_max: f32) -> Step {
+    pub fn step(&mut self, words: [u32; 3], ray: &PlaneRay, t_min: f32, t_max: f32) -> Step {
         for (slot, word) in self.words.into_iter().zip(words) {
             self.pipeline.drive(slot, word);
         }
@@ -126,7 +127,7 @@ impl Default for RayBoxStep {
 impl RayBoxStep {
     /// Where the part `t_min..=t_max` of `ray` enters `bounds`, if it does.
     #[must_use]
-    pub fn entry(&mut self, bounds: &Aabb, ray: &TraversalRay, t_min: f32, t_max: f32) -> Option<f32> {
+    pub fn entry(&mut self, bounds: &Aabb, ray: &PlaneRay, t_min: f32, t_max: f32) -> Option<f32> {
         for (slot, plane) in self.planes.into_iter().zip(bounds.min.into_iter().chain(bounds.max)) {
             self.pipeline.drive(slot, plane.to_bits());
         }
@@ -138,12 +139,12 @@ impl RayBoxStep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use golden::Mode;
     use golden::build::{BuildOptions, build};
     use golden::bvh::box_step;
     use golden::dst::Dst;
     use golden::structure::pack_triangles;
     use golden::traverse::{NoObserver, Trace, closest_by_steps};
+    use golden::{Mode, TraversalRay};
     use render::CameraRays;
 
     /// If netlists do every step and every box test, the hits of a picture are those of the software, bit for bit.
@@ -159,12 +160,12 @@ mod tests {
             let given = camera.ray((pixel % 32) as f32 + 0.5, (pixel / 32) as f32 + 0.5);
             let ray = TraversalRay::new(&given, Mode::Robust).unwrap();
             let found = closest_by_steps(&dst, &ray, &mut NoObserver, |words, ray, t_min, t_max| {
-                steps.step(words, ray, t_min, t_max)
+                steps.step(words, &ray.planes(), t_min, t_max)
             });
             assert_eq!(found, dst.closest(&given, Mode::Robust));
             hits += usize::from(found.is_some());
             let root = box_step(&dst.root_box, &ray, ray.t_min, ray.t_max);
-            let entry = boxes.entry(&dst.root_box, &ray, ray.t_min, ray.t_max);
+            let entry = boxes.entry(&dst.root_box, &ray.planes(), ray.t_min, ray.t_max);
             assert_eq!(entry.map(f32::to_bits), root.hit.then(|| root.t_entry.to_bits()));
         }
         assert!(hits > 100);

@@ -2,46 +2,88 @@
 // and PARAM_BOUNCES diffuse bounces with a shadow ray from every vertex.
 //
 // One of DST (hardware step), DST_SOFTWARE, BVH=2|4|8 (one ray-box pipeline), with PARALLEL as many pipelines as children.
-// The operations are those of golden: `dst::step`, `bvh::box_step`, `TriangleTest`, in single precision throughout.
+// The operations are those of golden, in the same order: `dst::step`, `bvh::box_step`, `TriangleTest`, `render::shading`.
 #include "trax.h"
 
-enum { NODE_OFFSET = 0x3ffffff, LEAF_BIT = 26, SIZE_BIT = 27, AXIS_BIT = 29, BVH_INDEX = 0xfffffff, LAST_BIT = 27 };
+enum {
+    NODE_OFFSET = 0x3ffffff,
+    LEAF_BIT = 26,
+    SIZE_BIT = 27,
+    AXIS_BIT = 29,
+    BVH_INDEX = 0xfffffff,
+    TRIANGLE_INDEX = 0x3ffffff,
+    LAST_BIT = 27,
+    SIGN = (int)0x80000000,
+    EXPONENT = 0x7f800000,
+};
+
+// Of the planes a0 and a1 of a box, the one at which the ray enters, and the one at which it leaves.
+#define ENTERED(a) (i##a < 0.f ? a##1 : a##0)
+#define LEFT(a) (i##a < 0.f ? a##0 : a##1)
+
+// The reciprocal of a power of two at or below m.
+#define UNSCALE(m) from_bits(0x7f000000 - (bits(m) & EXPONENT))
+
+#define BOX_LOAD(lane, address, word) asm volatile("BOXLOAD %0, %1, %2" ::"r"(lane), "r"(address), "i"(word));
+
+// Where the reciprocal i of a component d overflows, planes of entry get the largest finite number.
+#define RECIPROCALS(d, i, j)                                                                                 \
+    if (d == 0.f)                                                                                            \
+        j = i;                                                                                               \
+    else {                                                                                                   \
+        int magnitude = bits(i) & ~SIGN;                                                                     \
+        if (magnitude >= EXPONENT) magnitude = EXPONENT - 1;                                                 \
+        i = from_bits(magnitude | (bits(d) & SIGN));                                                         \
+        magnitude += padding;                                                                                \
+        if (magnitude > EXPONENT) magnitude = EXPONENT;                                                      \
+        j = from_bits(magnitude | (bits(d) & SIGN));                                                         \
+    }
 
 struct entry {
     int node;
-    float t_min, t_max;
+    float t_min;
+#if defined(DST) || defined(DST_SOFTWARE)
+    float t_max;
+#endif
 };
 
 int main(void) {
-    int pixels = LOAD_INT("parameters", 0, PARAM_RAYS), nodes = LOAD_INT("parameters", 0, PARAM_NODES),
-        triangles = LOAD_INT("parameters", 0, PARAM_TRIANGLES);
+    int pixels = PARAMETER_INT(PARAM_RAYS), nodes = PARAMETER_INT(PARAM_NODES), triangles = PARAMETER_INT(PARAM_TRIANGLES);
     struct entry stack[192];
     float local[24];
     for (int item = next_item(); item < pixels; item = next_item()) {
+        // Row and column. The quotient is off by one at most.
+        int width = PARAMETER_INT(PARAM_WIDTH), row = (int)((float)item * PARAMETER_FLOAT(PARAM_INVERSE_WIDTH));
+        int column = item - row * width;
+        if (column < 0) row--, column += width;
+        if (column >= width) row++, column -= width;
         // The direction through the pixel's centre.
-        float row = (float)(int)((float)item * LOAD_FLOAT("parameters", 0, PARAM_INVERSE_WIDTH));
-        float column = (float)item - row * LOAD_FLOAT("parameters", 0, PARAM_WIDTH) + 0.5f;
-        row += 0.5f;
-        float dx = LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 3) + column * LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 6) +
-                   row * LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 9);
-        float dy = LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 4) + column * LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 7) +
-                   row * LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 10);
-        float dz = LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 5) + column * LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 8) +
-                   row * LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 11);
+        float right = (float)column + 0.5f, down = (float)row + 0.5f;
+        float dx = PARAMETER_FLOAT(PARAM_CAMERA + 3) + right * PARAMETER_FLOAT(PARAM_CAMERA + 6) +
+                   down * PARAMETER_FLOAT(PARAM_CAMERA + 9);
+        float dy = PARAMETER_FLOAT(PARAM_CAMERA + 4) + right * PARAMETER_FLOAT(PARAM_CAMERA + 7) +
+                   down * PARAMETER_FLOAT(PARAM_CAMERA + 10);
+        float dz = PARAMETER_FLOAT(PARAM_CAMERA + 5) + right * PARAMETER_FLOAT(PARAM_CAMERA + 8) +
+                   down * PARAMETER_FLOAT(PARAM_CAMERA + 11);
         float unit = inverse_square_root(dx * dx + dy * dy + dz * dz);
         dx *= unit, dy *= unit, dz *= unit;
-        float ox = LOAD_FLOAT("parameters", 0, PARAM_CAMERA), oy = LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 1),
-              oz = LOAD_FLOAT("parameters", 0, PARAM_CAMERA + 2);
+        float ox = PARAMETER_FLOAT(PARAM_CAMERA), oy = PARAMETER_FLOAT(PARAM_CAMERA + 1), oz = PARAMETER_FLOAT(PARAM_CAMERA + 2);
         float t_max = __builtin_inff();
         local[0] = local[1] = local[2] = 0.f; // radiance
         local[3] = 1.f;                       // throughput
-        int bounce = LOAD_INT("parameters", 0, PARAM_BOUNCES), any = 0;
+        int bounce = PARAMETER_INT(PARAM_BOUNCES), any = 0;
         while (1) {
-            // Reciprocals for planes of entry and of exit, 4 units in the last place apart.
+            // Reciprocals for planes of entry and of exit.
+            int padding = PARAMETER_INT(PARAM_PADDING);
             float ix = 1.f / dx, iy = 1.f / dy, iz = 1.f / dz;
-            float jx = from_bits(bits(ix) + 4), jy = from_bits(bits(iy) + 4), jz = from_bits(bits(iz) + 4);
-            // The triangle test's axes, the direction's largest component last, and its shear.
+            float jx = from_bits(bits(ix) + padding), jy = from_bits(bits(iy) + padding), jz = from_bits(bits(iz) + padding);
             float x = absolute(dx), y = absolute(dy), z = absolute(dz);
+            if (minimum(minimum(x, y), z) < 1.17549435e-38f && padding) {
+                RECIPROCALS(dx, ix, jx)
+                RECIPROCALS(dy, iy, jy)
+                RECIPROCALS(dz, iz, jz)
+            }
+            // The triangle test's axes, the direction's largest component last, and its shear.
             int axis = x > y && x > z ? 0 : y > z ? 1 : 2;
             int axis0 = axis == 2 ? 0 : axis + 1, axis1 = axis == 0 ? 2 : axis - 1;
             local[4] = dx, local[5] = dy, local[6] = dz;
@@ -50,9 +92,9 @@ int main(void) {
             local[16] = ix, local[17] = iy, local[18] = iz;
             local[19] = jx, local[20] = jy, local[21] = jz;
 #endif
-            float scale = 1.f / local[4 + axis];
-            float shear0 = local[4 + axis0] * scale, shear1 = local[4 + axis1] * scale;
-            int hit = -1, depth = 0;
+            float along = local[4 + axis];
+            float shear0 = local[4 + axis0] / along, shear1 = local[4 + axis1] / along, scale = 1.f / along;
+            int hit = -1, best_index = 0x7fffffff, depth = 0;
             float t_min = 0.f;
             int node;
 #include "traversal.h"
@@ -61,28 +103,38 @@ int main(void) {
             if (any) {
                 if (hit < 0) {
                     float light = local[10];
-                    local[0] += light * LOAD_FLOAT("parameters", 0, PARAM_LIGHT + 3);
-                    local[1] += light * LOAD_FLOAT("parameters", 0, PARAM_LIGHT + 4);
-                    local[2] += light * LOAD_FLOAT("parameters", 0, PARAM_LIGHT + 5);
+                    local[0] += light * PARAMETER_FLOAT(PARAM_LIGHT + 3);
+                    local[1] += light * PARAMETER_FLOAT(PARAM_LIGHT + 4);
+                    local[2] += light * PARAMETER_FLOAT(PARAM_LIGHT + 5);
                 }
             } else {
                 float throughput = local[3];
                 if (hit < 0) {
-                    local[0] += throughput * LOAD_FLOAT("parameters", 0, PARAM_BACKGROUND);
-                    local[1] += throughput * LOAD_FLOAT("parameters", 0, PARAM_BACKGROUND + 1);
-                    local[2] += throughput * LOAD_FLOAT("parameters", 0, PARAM_BACKGROUND + 2);
+                    local[0] += throughput * PARAMETER_FLOAT(PARAM_BACKGROUND);
+                    local[1] += throughput * PARAMETER_FLOAT(PARAM_BACKGROUND + 1);
+                    local[2] += throughput * PARAMETER_FLOAT(PARAM_BACKGROUND + 2);
                     break;
                 }
                 // Normal towards the ray, point, and start of the rays that leave it.
-                float ax = LOAD_FLOAT("hit", hit, 0), bx = LOAD_FLOAT("hit", hit, 1), cx = LOAD_FLOAT("hit", hit, 2);
-                float ay = LOAD_FLOAT("hit", hit, 3), by = LOAD_FLOAT("hit", hit, 4), cy = LOAD_FLOAT("hit", hit, 5);
-                float az = LOAD_FLOAT("hit", hit, 6), bz = LOAD_FLOAT("hit", hit, 7), cz = LOAD_FLOAT("hit", hit, 8);
+                float ax = LOAD_FLOAT(hit, 0), bx = LOAD_FLOAT(hit, 1), cx = LOAD_FLOAT(hit, 2);
+                float ay = LOAD_FLOAT(hit, 3), by = LOAD_FLOAT(hit, 4), cy = LOAD_FLOAT(hit, 5);
+                float az = LOAD_FLOAT(hit, 6), bz = LOAD_FLOAT(hit, 7), cz = LOAD_FLOAT(hit, 8);
                 float ex = bx - ax, ey = by - ay, ez = bz - az, fx = cx - ax, fy = cy - ay, fz = cz - az;
-                float nx = ey * fz - ez * fy, ny = ez * fx - ex * fz, nz = ex * fy - ey * fx;
-                float length = inverse_square_root(nx * nx + ny * ny + nz * nz);
-                float towards = nx * dx + ny * dy + nz * dz;
-                length = from_bits(bits(length) ^ (~bits(towards) & (int)0x80000000));
-                nx *= length, ny *= length, nz *= length;
+                float side = maximum(maximum(maximum(absolute(ex), absolute(ey)), absolute(ez)),
+                                     maximum(maximum(absolute(fx), absolute(fy)), absolute(fz)));
+                float unscale = UNSCALE(side);
+                float px = ex * unscale, py = ey * unscale, pz = ez * unscale;
+                float qx = fx * unscale, qy = fy * unscale, qz = fz * unscale;
+                float nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
+                float squared = nx * nx + ny * ny + nz * nz;
+                if (squared >= 2.32830644e-10f) {
+                    float length = inverse_square_root(squared);
+                    float towards = nx * dx + ny * dy + nz * dz;
+                    length = from_bits(bits(length) ^ (~bits(towards) & SIGN));
+                    nx *= length, ny *= length, nz *= length;
+                } else {
+                    nx = -dx, ny = -dy, nz = -dz;
+                }
                 float largest = maximum(maximum(maximum(absolute(ax), absolute(bx)), absolute(cx)),
                                         maximum(maximum(maximum(absolute(ay), absolute(by)), absolute(cy)),
                                                 maximum(maximum(absolute(az), absolute(bz)), absolute(cz))));
@@ -93,16 +145,19 @@ int main(void) {
                 throughput *= 0.7f;
                 local[3] = throughput;
                 local[13] = nx, local[14] = ny, local[15] = nz;
-                // Towards the light.
-                dx = LOAD_FLOAT("parameters", 0, PARAM_LIGHT) - ox;
-                dy = LOAD_FLOAT("parameters", 0, PARAM_LIGHT + 1) - oy;
-                dz = LOAD_FLOAT("parameters", 0, PARAM_LIGHT + 2) - oz;
-                float cosine_times_distance = nx * dx + ny * dy + nz * dz;
-                if (cosine_times_distance > 0.f) {
-                    float squared = dx * dx + dy * dy + dz * dz;
-                    float inverse = inverse_square_root(squared);
-                    local[10] = throughput * 0.318309886f * cosine_times_distance * inverse * inverse * inverse;
-                    t_max = 1.f;
+                // Towards the light, with the largest component from 1 on and below 2.
+                dx = PARAMETER_FLOAT(PARAM_LIGHT) - ox;
+                dy = PARAMETER_FLOAT(PARAM_LIGHT + 1) - oy;
+                dz = PARAMETER_FLOAT(PARAM_LIGHT + 2) - oz;
+                float distance = maximum(maximum(absolute(dx), absolute(dy)), absolute(dz));
+                unscale = UNSCALE(distance);
+                dx *= unscale, dy *= unscale, dz *= unscale;
+                float cosine = nx * dx + ny * dy + nz * dz;
+                if (cosine > 0.f) {
+                    float inverse = inverse_square_root(dx * dx + dy * dy + dz * dz);
+                    float falloff = PARAMETER_FLOAT(PARAM_EXTENT) * unscale * inverse;
+                    local[10] = throughput * 0.318309886f * cosine * inverse * falloff * falloff;
+                    t_max = from_bits(bits(distance) & EXPONENT);
                     any = 1;
                     continue;
                 }
@@ -110,24 +165,22 @@ int main(void) {
             if (bounce == 0) break;
             bounce--;
             // A cosine-weighted direction around the normal.
-            float r0 = random_number(), r1 = random_number() * 6.28318531f;
-            float sin = sine(r1), cos = cosine(r1);
-            float radius = r0 * inverse_square_root(r0), up = 1.f - r0;
-            up *= inverse_square_root(up);
+            float r0 = random_number(), angle = random_number() * 6.28318531f;
+            float radius = __builtin_sqrtf(r0), up = __builtin_sqrtf(1.f - r0);
+            float p = radius * cosine_of(angle), q = radius * sine_of(angle);
             float nx = local[13], ny = local[14], nz = local[15];
-            float sign = from_bits((bits(nz) & (int)0x80000000) | 0x3f800000);
+            float sign = from_bits((bits(nz) & SIGN) | 0x3f800000);
             float a = -1.f / (sign + nz), b = nx * ny * a;
-            float p = radius * cos, q = radius * sin;
             dx = (1.f + sign * nx * nx * a) * p + b * q + nx * up;
             dy = sign * b * p + (sign + ny * ny * a) * q + ny * up;
             dz = nz * up - sign * nx * p - ny * q;
             t_max = __builtin_inff();
             any = 0;
         }
-        int pixel = LOAD_INT("parameters", 0, PARAM_OUT) + item * 3;
-        STORE_FLOAT("pixel", local[0], pixel, 0);
-        STORE_FLOAT("pixel", local[1], pixel, 1);
-        STORE_FLOAT("pixel", local[2], pixel, 2);
+        int pixel = PARAMETER_INT(PARAM_OUT) + item * 3;
+        STORE_FLOAT(local[0], pixel, 0);
+        STORE_FLOAT(local[1], pixel, 1);
+        STORE_FLOAT(local[2], pixel, 2);
     }
     return 0;
 }

@@ -1,18 +1,19 @@
 $CPI0_0:
-main:                           #: start
+    .4byte 0x3f800000
+main:
     addiu $sp, $sp, -544
     sdc1 $f26, 536($sp)
     sdc1 $f24, 528($sp)
     sdc1 $f22, 520($sp)
     sdc1 $f20, 512($sp)
     addiu $5, $zero, 0
-    LOAD $2, $5, 8              #: parameters
-    LOAD $3, $5, 14             #: parameters
-    LOAD $4, $5, 7              #: parameters
-    LOAD $5, $5, 1              #: parameters
+    LOAD $2, $5, 8
+    LOAD $3, $5, 14
+    LOAD $4, $5, 7
+    LOAD $5, $5, 1
     ATOMIC_INC $6, 0
     slt $1, $6, $5
-    beqz $1, $BB0_23            #: no_more
+    beqz $1, $BB0_23
     nop
     addiu $7, $sp, 0
     lwc1 $f0, %gp_rel($CPI0_0)($gp)
@@ -23,53 +24,53 @@ main:                           #: start
 $BB0_2:
     sll $1, $6, 1
     addu $6, $1, $4
-    STORE $f4, $6, 0            #: result
-    STORE $10, $6, 1            #: result
+    STORE $f4, $6, 0
+    STORE $10, $6, 1
     ATOMIC_INC $6, 0
     slt $1, $6, $5
-    beqz $1, $BB0_23            #: no_more
+    beqz $1, $BB0_23
     nop
-$BB0_3:                         #: ray
+$BB0_3:
     sll $1, $6, 3
     addiu $10, $zero, -1
     addiu $14, $zero, 0
     addu $11, $1, $3
-    LOAD $f2, $11, 0            #: ray
-    LOAD $f3, $11, 1            #: ray
-    LOAD $f5, $11, 2            #: ray
-    LOAD $f6, $11, 3            #: ray
-    LOAD $f7, $11, 4            #: ray
-    LOAD $f8, $11, 5            #: ray
-    LOAD $f9, $11, 6            #: ray
+    LOAD $f2, $11, 0
+    LOAD $f3, $11, 1
+    LOAD $f5, $11, 2
+    LOAD $f6, $11, 3
+    LOAD $f7, $11, 4
+    LOAD $f8, $11, 5
+    LOAD $f9, $11, 6
     div.s $f10, $f0, $f7
     div.s $f11, $f0, $f8
     div.s $f12, $f0, $f9
-    LOAD $f4, $11, 7            #: ray
+    LOAD $f4, $11, 7
     addiu $11, $zero, 0
 $BB0_4:
     sll $1, $11, 2
     addu $13, $8, $1
     addu $12, $9, $1
-$BB0_5:                         #: node
+$BB0_5:
     sll $1, $14, 3
     addu $14, $1, $2
-    LOAD $15, $14, 6            #: node
-    LOAD $14, $14, 7            #: node
-    bgez $15, $BB0_12           #: leaf
+    LOAD $15, $14, 6
+    LOAD $14, $14, 7
+    bgez $15, $BB0_12
     nop
     sll $1, $14, 3
     addu $15, $1, $2
-    LOAD $f13, $15, 0           #: children
-    LOAD $f14, $15, 1           #: children
-    LOAD $f15, $15, 2           #: children
+    LOAD $f13, $15, 0
+    LOAD $f14, $15, 1
+    LOAD $f15, $15, 2
     sub.s $f13, $f13, $f2
     sub.s $f14, $f14, $f3
     sub.s $f15, $f15, $f5
     addiu $24, $15, 8
     mul.s $f16, $f10, $f13
-    LOAD $f13, $15, 3           #: children
-    LOAD $f17, $15, 4           #: children
-    LOAD $f18, $15, 5           #: children
+    LOAD $f13, $15, 3
+    LOAD $f17, $15, 4
+    LOAD $f18, $15, 5
     mul.s $f14, $f11, $f14
     mul.s $f15, $f12, $f15
     sub.s $f13, $f13, $f2
@@ -90,12 +91,12 @@ $BB0_5:                         #: node
     FPMAX $f15, $f15, $f18
     FPMIN $f14, $f14, $f15
     FPMIN $f14, $f14, $f4
-    LOAD $f15, $24, 0           #: children+8
-    LOAD $f16, $24, 1           #: children+8
-    LOAD $f17, $24, 2           #: children+8
-    LOAD $f18, $24, 3           #: children+8
-    LOAD $f19, $24, 4           #: children+8
-    LOAD $f20, $24, 5           #: children+8
+    LOAD $f15, $24, 0
+    LOAD $f16, $24, 1
+    LOAD $f17, $24, 2
+    LOAD $f18, $24, 3
+    LOAD $f19, $24, 4
+    LOAD $f20, $24, 5
     c.ole.s $f13, $f14
     sub.s $f15, $f15, $f2
     sub.s $f16, $f16, $f3
@@ -121,17 +122,17 @@ $BB0_5:                         #: node
     FPMAX $f17, $f17, $f20
     FPMIN $f16, $f16, $f17
     FPMIN $f16, $f16, $f4
-    bc1f $BB0_8                 #: !hit_left
+    bc1f $BB0_8
     nop
     c.ole.s $f15, $f16
-    bc1t $BB0_11                #: hit_right
+    bc1t $BB0_11
     nop
 $BB0_8:
     c.ole.s $f13, $f14
-    bc1t $BB0_5                 #: hit_left
+    bc1t $BB0_5
     nop
     c.ole.s $f15, $f16
-    bc1f $BB0_14                #: !hit_right
+    bc1f $BB0_14
     nop
     j $BB0_5
     addiu $14, $14, 1
@@ -154,38 +155,38 @@ $BB0_11:
     j $BB0_5
     swc1 $f14, 0($24)
 $BB0_12:
-    bnez $15, $BB0_18           #: always
+    bnez $15, $BB0_18
     nop
 $BB0_13:
-    bgez $10, $BB0_2            #: found
+    bgez $10, $BB0_2
     nop
-$BB0_14:                        #: pop
-    blez $11, $BB0_2            #: empty
+$BB0_14:
+    blez $11, $BB0_2
     nop
     lwc1 $f13, 0($13)
     addiu $1, $13, -4
     addiu $11, $11, -1
     addiu $12, $12, -4
     c.olt.s $f13, $f4
-    bc1f $BB0_14                #: beyond
+    bc1f $BB0_14
     move $13, $1
     lw $14, 0($12)
     j $BB0_4
     nop
 $BB0_17:
     addiu $15, $15, -1
-    beqz $15, $BB0_13           #: last
+    beqz $15, $BB0_13
     addiu $14, $14, 11
-$BB0_18:                        #: triangle
-    LOAD $f17, $14, 0           #: triangle
-    LOAD $f19, $14, 1           #: triangle
-    LOAD $f21, $14, 2           #: triangle
-    LOAD $f13, $14, 3           #: triangle
-    LOAD $f15, $14, 4           #: triangle
-    LOAD $f14, $14, 5           #: triangle
-    LOAD $f20, $14, 6           #: triangle
-    LOAD $f22, $14, 7           #: triangle
-    LOAD $f24, $14, 8           #: triangle
+$BB0_18:
+    LOAD $f17, $14, 0
+    LOAD $f19, $14, 1
+    LOAD $f21, $14, 2
+    LOAD $f13, $14, 3
+    LOAD $f15, $14, 4
+    LOAD $f14, $14, 5
+    LOAD $f20, $14, 6
+    LOAD $f22, $14, 7
+    LOAD $f24, $14, 8
     sub.s $f14, $f14, $f24
     sub.s $f13, $f13, $f20
     sub.s $f15, $f15, $f22
@@ -217,10 +218,10 @@ $BB0_18:                        #: triangle
     div.s $f17, $f0, $f17
     mul.s $f21, $f22, $f17
     c.olt.s $f21, $f1
-    bc1t $BB0_17                #: u_below
+    bc1t $BB0_17
     nop
     c.ule.s $f21, $f0
-    bc1f $BB0_17                #: u_above
+    bc1f $BB0_17
     nop
     mul.s $f22, $f18, $f23
     mul.s $f25, $f20, $f24
@@ -238,11 +239,11 @@ $BB0_18:                        #: triangle
     add.s $f18, $f18, $f24
     mul.s $f18, $f18, $f17
     c.olt.s $f18, $f1
-    bc1t $BB0_17                #: v_below
+    bc1t $BB0_17
     nop
     add.s $f18, $f21, $f18
     c.ule.s $f18, $f0
-    bc1f $BB0_17                #: v_above
+    bc1f $BB0_17
     nop
     mul.s $f15, $f15, $f22
     mul.s $f13, $f13, $f23

@@ -12,31 +12,31 @@
         entry = maximum(maximum(maximum(minimum(x0, x1), minimum(y0, y1)), minimum(z0, z1)), 0.f);           \
         exit = minimum(minimum(minimum(maximum(x0, x1), maximum(y0, y1)), maximum(z0, z1)), t);              \
     }
-#define LOAD_BOX(b, what, at)                                                                                \
-    float b##0 = LOAD_FLOAT(what, at, 0), b##1 = LOAD_FLOAT(what, at, 1), b##2 = LOAD_FLOAT(what, at, 2),    \
-          b##3 = LOAD_FLOAT(what, at, 3), b##4 = LOAD_FLOAT(what, at, 4), b##5 = LOAD_FLOAT(what, at, 5);
+#define LOAD_BOX(b, at)                                                                                \
+    float b##0 = LOAD_FLOAT(at, 0), b##1 = LOAD_FLOAT(at, 1), b##2 = LOAD_FLOAT(at, 2),    \
+          b##3 = LOAD_FLOAT(at, 3), b##4 = LOAD_FLOAT(at, 4), b##5 = LOAD_FLOAT(at, 5);
 
 int main(void) {
-    int nodes = LOAD_INT("parameters", 0, PARAM_NODES), rays = LOAD_INT("parameters", 0, PARAM_RAY_BASE),
-        out = LOAD_INT("parameters", 0, PARAM_OUT), n = LOAD_INT("parameters", 0, PARAM_RAYS);
+    int nodes = PARAMETER_INT(PARAM_NODES), rays = PARAMETER_INT(PARAM_RAY_BASE),
+        out = PARAMETER_INT(PARAM_OUT), n = PARAMETER_INT(PARAM_RAYS);
     int stack[64];
     float stack_entry[64];
     for (int i = next_item(); i < n; i = next_item()) {
         int at = rays + i * 8;
-        float ox = LOAD_FLOAT("ray", at, 0), oy = LOAD_FLOAT("ray", at, 1), oz = LOAD_FLOAT("ray", at, 2),
-              t_min = LOAD_FLOAT("ray", at, 3), dx = LOAD_FLOAT("ray", at, 4), dy = LOAD_FLOAT("ray", at, 5),
-              dz = LOAD_FLOAT("ray", at, 6), t = LOAD_FLOAT("ray", at, 7);
+        float ox = LOAD_FLOAT(at, 0), oy = LOAD_FLOAT(at, 1), oz = LOAD_FLOAT(at, 2),
+              t_min = LOAD_FLOAT(at, 3), dx = LOAD_FLOAT(at, 4), dy = LOAD_FLOAT(at, 5),
+              dz = LOAD_FLOAT(at, 6), t = LOAD_FLOAT(at, 7);
         float ix = 1.f / dx, iy = 1.f / dy, iz = 1.f / dz;
         int hit = -1, depth = 0, node = 0;
         while (1) {
             int address = nodes + node * 8;
-            int count = LOAD_INT("node", address, 6), child = LOAD_INT("node", address, 7);
+            int count = LOAD_INT(address, 6), child = LOAD_INT(address, 7);
             if (count < 0) {
                 int pair = nodes + child * 8;
                 float left, left_exit, right, right_exit;
-                LOAD_BOX(l, "children", pair)
+                LOAD_BOX(l, pair)
                 SLAB(l, left, left_exit)
-                LOAD_BOX(r, "children+8", pair + 8)
+                LOAD_BOX(r, pair + 8)
                 SLAB(r, right, right_exit)
                 int hit_left = left <= left_exit, hit_right = right <= right_exit;
                 if (hit_left && hit_right) {
@@ -63,11 +63,11 @@ int main(void) {
             } else {
                 for (int k = 0; k < count; k++) {
                     int q = child + k * 11;
-                    float ax = LOAD_FLOAT("triangle", q, 0), ay = LOAD_FLOAT("triangle", q, 1),
-                          az = LOAD_FLOAT("triangle", q, 2), bx = LOAD_FLOAT("triangle", q, 3),
-                          by = LOAD_FLOAT("triangle", q, 4), bz = LOAD_FLOAT("triangle", q, 5),
-                          cx = LOAD_FLOAT("triangle", q, 6), cy = LOAD_FLOAT("triangle", q, 7),
-                          cz = LOAD_FLOAT("triangle", q, 8);
+                    float ax = LOAD_FLOAT(q, 0), ay = LOAD_FLOAT(q, 1),
+                          az = LOAD_FLOAT(q, 2), bx = LOAD_FLOAT(q, 3),
+                          by = LOAD_FLOAT(q, 4), bz = LOAD_FLOAT(q, 5),
+                          cx = LOAD_FLOAT(q, 6), cy = LOAD_FLOAT(q, 7),
+                          cz = LOAD_FLOAT(q, 8);
                     float e0x = ax - cx, e0y = ay - cy, e0z = az - cz;
                     float e1x = bx - cx, e1y = by - cy, e1z = bz - cz;
                     float px = dy * e1z - dz * e1y, py = dz * e1x - dx * e1z, pz = dx * e1y - dy * e1x;
@@ -99,8 +99,8 @@ int main(void) {
             }
             if (!found) break;
         }
-        STORE_FLOAT("result", t, out + i * 2, 0);
-        STORE_INT("result", hit, out + i * 2, 1);
+        STORE_FLOAT(t, out + i * 2, 0);
+        STORE_INT(hit, out + i * 2, 1);
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// Operations of the machine that C has not. The text behind "#:" says what an address belongs to; it reaches the listing.
+// Operations of the machine that C has not, and the memory map; sim/machine/src/program/operation.rs defines what each does.
 #ifndef TRAX_H
 #define TRAX_H
 #define INLINE static inline __attribute__((always_inline))
@@ -8,38 +8,40 @@
 #define IN_ORDER
 #endif
 
-// Words of the parameter block at the start of memory.
+// Words of the parameter block at the start of memory. Addresses count 32-bit words.
 enum {
-    PARAM_RAYS = 1,
-    PARAM_BOUNCES = 2,
-    PARAM_INVERSE_WIDTH = 3,
-    PARAM_WIDTH = 4,
-    PARAM_OUT = 7,
-    PARAM_NODES = 8,
-    PARAM_TRIANGLES = 9,
-    PARAM_RAY_BASE = 14,
-    PARAM_CAMERA = 16, // eye, corner, right, down
-    PARAM_LIGHT = 28,  // position, intensity
+    PARAM_RAYS = 1,          // items: pixels, or rays
+    PARAM_BOUNCES = 2,       // diffuse bounces of a path
+    PARAM_INVERSE_WIDTH = 3, // 1 / width as a float
+    PARAM_WIDTH = 4,         // pixels in a row
+    PARAM_OUT = 7,           // address of the picture, three floats a pixel
+    PARAM_NODES = 8,         // address of the structure
+    PARAM_TRIANGLES = 9,     // address of the triangles, ten words each
+    PARAM_PADDING = 10,      // units in the last place between the reciprocals of entry and exit
+    PARAM_EXTENT = 11,       // power of two at or below the scene's largest side
+    PARAM_RAY_BASE = 14,     // address of the rays
+    PARAM_CAMERA = 16,       // eye, corner, right, down
+    PARAM_LIGHT = 28,        // position, intensity at a distance of the extent
     PARAM_BACKGROUND = 34,
     PARAM_ROOT = 40, // box, and word 0 of a BVH's root
 };
 
-#define LOAD_INT(what, address, offset)                                                                      \
+#define LOAD_INT(address, offset)                                                                            \
     ({                                                                                                       \
         int loaded;                                                                                          \
-        asm volatile("LOAD %0, %1, %2 #: " what : "=r"(loaded) : "r"(address), "i"(offset));                 \
+        asm volatile("LOAD %0, %1, %2" : "=r"(loaded) : "r"(address), "i"(offset));                          \
         loaded;                                                                                              \
     })
-#define LOAD_FLOAT(what, address, offset)                                                                    \
+#define LOAD_FLOAT(address, offset)                                                                          \
     ({                                                                                                       \
         float loaded;                                                                                        \
-        asm volatile("LOAD %0, %1, %2 #: " what : "=f"(loaded) : "r"(address), "i"(offset));                 \
+        asm volatile("LOAD %0, %1, %2" : "=f"(loaded) : "r"(address), "i"(offset));                          \
         loaded;                                                                                              \
     })
-#define STORE_INT(what, value, address, offset)                                                              \
-    asm volatile("STORE %0, %1, %2 #: " what ::"r"(value), "r"(address), "i"(offset))
-#define STORE_FLOAT(what, value, address, offset)                                                            \
-    asm volatile("STORE %0, %1, %2 #: " what ::"f"(value), "r"(address), "i"(offset))
+#define STORE_INT(value, address, offset) asm volatile("STORE %0, %1, %2" ::"r"(value), "r"(address), "i"(offset))
+#define STORE_FLOAT(value, address, offset) asm volatile("STORE %0, %1, %2" ::"f"(value), "r"(address), "i"(offset))
+#define PARAMETER_INT(number) LOAD_INT(0, number)
+#define PARAMETER_FLOAT(number) LOAD_FLOAT(0, number)
 
 INLINE float minimum(float a, float b) {
     float r;
@@ -62,12 +64,12 @@ INLINE float random_number(void) {
     asm volatile("RAND %0" : "=f"(r));
     return r;
 }
-INLINE float sine(float a) {
+INLINE float sine_of(float a) {
     float r;
     asm("SIN %0, %1" : "=f"(r) : "f"(a));
     return r;
 }
-INLINE float cosine(float a) {
+INLINE float cosine_of(float a) {
     float r;
     asm("COS %0, %1" : "=f"(r) : "f"(a));
     return r;

@@ -4,13 +4,14 @@
 //! |---|---|
 //! | [`description`] | what the machine consists of, as a TOML file |
 //! | [`program`] | the programs of the threads: straight runs of instructions with their units, dependences and addresses |
-//! | [`core`] | the timing of these runs |
+//! | [`execute`] | what the programs compute: registers, local store, global memory, the machine's own operations |
+//! | [`core`] | the timing of the runs that were executed |
 //! | [`mod@frame`] | the pixels of a frame as work for the threads |
 //! | [`pipelines`], [`costs`] | what a pipeline takes of a multiprocessor's units; area and energy of the rest |
 //! | [`results`] | counts, times, energies and areas, with units |
 //! | [`mod@reference`] | the runs of the public simulator, for validation |
 //!
-//! The golden traversal alone decides what a ray does. The timing core executes the runs that correspond to it and computes nothing
+//! The programs compute the picture, and golden checks it. The timing core gets the runs that were executed, and computes nothing
 //! itself. `docs/machine.md` describes the model.
 //!
 //! ```
@@ -37,6 +38,7 @@
 pub mod core;
 pub mod costs;
 pub mod description;
+pub mod execute;
 pub mod frame;
 pub mod pipelines;
 pub mod program;

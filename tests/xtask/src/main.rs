@@ -3,6 +3,7 @@
 //! The crate has few dependencies, so that a cold build of it takes seconds.
 
 mod behaviour;
+mod kernels;
 mod quick;
 mod times;
 mod usage;
@@ -21,6 +22,11 @@ cargo xtask behaviour [--tool PATH] [--threads N] [--only NAME]... [--bless]
     --threads N     threads of the tool, which its results do not depend on [default: 2]
     --only NAME     only this command of the list, or those whose names begin with NAME-; may be repeated
     --bless         rewrites the hashes instead
+
+cargo xtask kernels [--check]
+    Compiles the machine's programs from sim/machine/kernels/*.c with Debian's clang 14 (the variable CLANG names another) and writes
+    their listings.
+    --check         compares them with those that are there; exit code 1 if one differs
 
 cargo xtask quick
     Formats, lints and runs the tests that need neither external tools nor volume. Exit code 1 if one fails.
@@ -47,12 +53,13 @@ fn run() -> anyhow::Result<bool> {
     match arguments.next()? {
         Some(Value(command)) => match command.string()?.as_str() {
             "behaviour" => behaviour::run(&behaviour::Options::parse(arguments)?),
+            "kernels" => kernels::run(kernels::parse(arguments)?),
             "quick" => match arguments.next()? {
                 None => quick::run(),
                 Some(argument) => Err(argument.unexpected().into()),
             },
             "times" => times::run(&times::parse(arguments)?),
-            other => anyhow::bail!("{other}: the commands are behaviour, quick and times"),
+            other => anyhow::bail!("{other}: the commands are behaviour, kernels, quick and times"),
         },
         None | Some(Short('h') | Long("help")) => {
             print!("{HELP}");

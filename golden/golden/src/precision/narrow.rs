@@ -3,8 +3,8 @@
 use super::{NarrowArithmetic, NarrowRay, Precision, Scale, Variant};
 use crate::Aabb;
 use crate::bvh::Bvh;
-use crate::dst::Dst;
-use crate::ray::{Hit, TraversalRay};
+use crate::dst::{Child, Dst, Step, step};
+use crate::ray::{Hit, PlaneRay, TraversalRay};
 use crate::structure::StructureFormat;
 use crate::traverse::query::Query;
 use crate::traverse::{Observer, Trace};
@@ -75,6 +75,20 @@ impl<T> Narrow<T> {
     pub fn aabb(&self, bounds: &Aabb) -> Aabb {
         Planes { arithmetic: self.arithmetic, scale: self.scale, variant: self.precision.variant }
             .aabb(bounds)
+    }
+}
+
+impl NarrowDst {
+    /// The step of this format's pipeline, where everything around it is in binary32 and in scene units: the node's `words` hold
+    /// planes of this format, `ray` and the interval become narrow on the way in.
+    #[must_use]
+    pub fn step(&self, words: [u32; 3], ray: &PlaneRay, [t_min, t_max]: [f32; 2]) -> Step {
+        let ray = NarrowRay::of_planes(ray, self.arithmetic, self.scale, self.precision.variant);
+        let step = step(words, &ray, ray.bound(t_min), ray.limit(t_max));
+        let unscaled = |t: f32| self.scale.unscaled(t) as f32;
+        let child =
+            |child: Child| Child { t_min: unscaled(child.t_min), t_max: unscaled(child.t_max), ..child };
+        Step { near: child(step.near), far: child(step.far), ..step }
     }
 }
 

@@ -1,7 +1,7 @@
 //! A ray in a narrow format.
 
 use super::{NarrowArithmetic, Scale, Variant};
-use crate::ray::{PlaneDistances, TraversalRay};
+use crate::ray::{PlaneDistances, PlaneRay, TraversalRay};
 use fp::Rounding;
 
 /// A ray as the pipelines of a narrow format see it; coordinates and distances in the format's units.
@@ -59,6 +59,46 @@ impl NarrowRay {
             t_min: round(scale.scaled(ray.t_min), by(variant, Rounding::Down)),
             t_max: round(scale.scaled(ray.t_max), by(variant, Rounding::Up)),
         }
+    }
+
+    /// A ray of which only what the pipelines get is known, without distances. A reciprocal for planes of entry may be off by its
+    /// rounding to binary32, so the conservative variant takes the next one towards zero.
+    #[must_use]
+    pub fn of_planes(ray: &PlaneRay, arithmetic: NarrowArithmetic, scale: Scale, variant: Variant) -> Self {
+        let keep = Rounding::NearestEven;
+        let negative = |k: usize| ray.inv_entry[k].is_sign_negative();
+        let round = |x: f32, r: Rounding| arithmetic.round(f64::from(x), by(variant, r));
+        let inv_entry = |k: usize| match (variant, ray.inv_entry[k]) {
+            (Variant::Naive, inv) => arithmetic.round(f64::from(inv), keep),
+            (Variant::Conservative, inv) if inv.is_finite() => {
+                round(f32::from_bits(inv.to_bits() - 1), Rounding::TowardZero)
+            }
+            (Variant::Conservative, inv) => inv,
+        };
+        let inv_exit =
+            |k: usize| round(ray.inv_exit[k], if negative(k) { Rounding::Down } else { Rounding::Up });
+        let origin = |k: usize, exit: bool| {
+            let rounding = against(difference_rounding(negative(k), exit));
+            arithmetic.round(scale.scaled(ray.origin[k]), by(variant, rounding))
+        };
+        Self {
+            arithmetic,
+            scale,
+            variant,
+            origin_entry: std::array::from_fn(|k| origin(k, false)),
+            origin_exit: std::array::from_fn(|k| origin(k, true)),
+            inv_entry: std::array::from_fn(inv_entry),
+            inv_exit: std::array::from_fn(inv_exit),
+            t_min: 0.0,
+            t_max: f32::INFINITY,
+        }
+    }
+
+    /// A distance in scene units that nothing before can be farther than, in the format's units.
+    #[inline]
+    #[must_use]
+    pub fn bound(&self, t: f32) -> f32 {
+        self.arithmetic.round(self.scale.scaled(t), by(self.variant, Rounding::Down))
     }
 
     /// A distance in scene units that nothing beyond can be nearer than, in the format's units.

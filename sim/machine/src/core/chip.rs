@@ -2,6 +2,7 @@
 
 mod serve;
 
+use super::ahead::ahead;
 use super::blocked::Blocked;
 use super::dram::Dram;
 use super::l2::L2;
@@ -12,16 +13,20 @@ use super::stats::{CacheCounts, DramCounts, ThreadCycles};
 use super::tm::Tm;
 use super::work::{Tape, Work};
 use crate::description::MachineDescription;
-use crate::program::{Conditions, EntryId, Program, START};
+use crate::execute::Fault;
+use crate::program::Program;
 
 /// Why a simulation stops.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
     /// Cycles are counted in 32 bits.
     #[error(
         "more than {MAX_CYCLES} cycles: lower the size of the image, or give the machine more multiprocessors"
     )]
     TooLong,
+    /// The program does something wrong.
+    #[error(transparent)]
+    Fault(#[from] Box<Fault>),
 }
 
 /// The longest simulation, with a margin for the longest latency.
@@ -55,10 +60,10 @@ struct Seat {
     runs: Vec<u64>,
 }
 
-struct Chip<'a, W> {
+struct Chip<'a> {
     machine: &'a MachineDescription,
     program: &'a Program,
-    work: &'a W,
+    work: &'a dyn Work,
     seats: Vec<Seat>,
     l2s: Vec<L2>,
     dram: Dram,
@@ -71,7 +76,6 @@ struct Chip<'a, W> {
     tries: Vec<Request>,
     /// Reads that found their memory channel full.
     blocked: Blocked,
-    no_more: Conditions,
     line_shift: u32,
     plan: &'a Plan,
     /// Number of the plan's skipped ranges that the counter has passed.
@@ -79,6 +83,8 @@ struct Chip<'a, W> {
     noted: Vec<Noted>,
     /// Times that each run was recorded in items that are not timed.
     skipped_runs: Vec<u64>,
+    /// What the program has done wrong.
+    fault: Option<Box<Fault>>,
 }
 
 /// Simulates `work` by `program` on `machine`.
@@ -106,6 +112,21 @@ pub fn simulate_plan<W: Work>(
     program: &Program,
     work: &W,
     plan: &Plan,
+    items_done: impl FnMut(u32),
+) -> Result<(Counts, Vec<Noted>), SimulationError> {
+    if rayon::current_num_threads() == 1 {
+        return time(machine, program, work, plan, items_done);
+    }
+    let threads = machine.chip.tms() * machine.tm.threads;
+    ahead(work, program, plan, threads, |work| time(machine, program, work, plan, items_done))
+}
+
+/// [`simulate_plan`] on this thread of the host.
+fn time(
+    machine: &MachineDescription,
+    program: &Program,
+    work: &dyn Work,
+    plan: &Plan,
     mut items_done: impl FnMut(u32),
 ) -> Result<(Counts, Vec<Noted>), SimulationError> {
     let tms = machine.chip.tms();
@@ -128,20 +149,24 @@ pub fn simulate_plan<W: Work>(
         length: quantum::cycles(machine),
         tries: vec![],
         blocked: Blocked::new(machine.dram.channels),
-        no_more: program.condition("no_more"),
         line_shift: machine.l1.line_words().trailing_zeros(),
         plan,
         skips: 0,
         noted: Vec::with_capacity(plan.marks.len()),
         skipped_runs: vec![0; program.code.runs.len()],
+        fault: None,
     };
-    let start = program.entry(START);
     for seat in &mut chip.seats {
-        (0..machine.tm.threads as usize).for_each(|thread| seat.start(program, thread, start));
+        for thread in 0..machine.tm.threads as usize {
+            seat.start(program, work, thread)?;
+        }
     }
     let mut reported = 0;
     while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
         chip.quantum();
+        if let Some(fault) = chip.fault {
+            return Err(fault.into());
+        }
         if chip.now > MAX_CYCLES {
             return Err(SimulationError::TooLong);
         }
@@ -156,43 +181,42 @@ pub fn simulate_plan<W: Work>(
 
 impl Seat {
     /// Puts a thread at the start of the program.
-    fn start(&mut self, program: &Program, thread: usize, entry: EntryId) {
+    fn start(&mut self, program: &Program, work: &dyn Work, thread: usize) -> Result<(), Box<Fault>> {
         let words = &mut self.tm.threads[thread].tape;
-        Tape::new(program, entry, words, &mut self.runs).event(entry, 0);
+        work.start(&mut Tape::new(words, &mut self.runs))?;
         self.tm.resume(program, thread);
+        Ok(())
     }
 
     /// Gives new tapes to the threads that need them and lets them catch up.
-    fn change_tapes<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions) {
+    fn change_tapes(&mut self, program: &Program, work: &dyn Work, fault: &mut Option<Box<Fault>>) {
         while let Some(thread) = self.tm.ended.pop() {
             let thread = usize::from(thread);
-            self.change_tape(program, work, no_more, thread);
+            if let Err(found) = self.change_tape(program, work, thread) {
+                // Of several, the first; the simulation ends with the quantum.
+                fault.get_or_insert(found);
+                self.tm.halt(thread);
+            }
             self.tm.run(program, thread);
         }
     }
 
     /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
-    fn change_tape<W: Work>(&mut self, program: &Program, work: &W, no_more: Conditions, thread: usize) {
+    fn change_tape(&mut self, program: &Program, work: &dyn Work, thread: usize) -> Result<(), Box<Fault>> {
         let place = &mut self.tm.threads[thread];
         let Some(entry) = program.code.runs[place.tape[place.at as usize] as usize].next else {
             self.tm.halt(thread);
-            return;
+            return Ok(());
         };
-        let item = self.items[thread];
         place.tape.clear();
         place.at = 0;
-        let mut tape = Tape::new(program, entry, &mut place.tape, &mut self.runs);
-        if item < work.items() {
-            tape.event(entry, 0);
-            work.record(item, &mut tape);
-        } else {
-            tape.event(entry, no_more);
-        }
+        work.record(self.items[thread], entry, &mut Tape::new(&mut place.tape, &mut self.runs))?;
         self.tm.resume(program, thread);
+        Ok(())
     }
 }
 
-impl<W: Work> Chip<'_, W> {
+impl Chip<'_> {
     fn quantum(&mut self) {
         let (start, end) = (self.now, self.now + self.length);
         self.dram.advance(start);
@@ -203,19 +227,19 @@ impl<W: Work> Chip<'_, W> {
             seat.tm.arrives(arrival.line, arrival.cycle);
         });
         self.l2s.iter_mut().for_each(|l2| l2.begin(start));
-        let (program, work, no_more) = (self.program, self.work, self.no_more);
+        let (program, work, fault) = (self.program, self.work, &mut self.fault);
         for seat in &mut self.seats {
             seat.tm.quantum(program, start, end);
-            seat.change_tapes(program, work, no_more);
+            seat.change_tapes(program, work, fault);
         }
         let mut wakes = !self.blocked.is_empty();
         while wakes || self.seats.iter().any(|seat| !seat.tm.shared.asked.is_empty()) {
             self.serve(start, wakes);
             wakes = false;
             for seat in &mut self.seats {
-                seat.change_tapes(program, work, no_more);
+                seat.change_tapes(program, work, &mut self.fault);
                 seat.tm.catch_up(program);
-                seat.change_tapes(program, work, no_more);
+                seat.change_tapes(program, work, &mut self.fault);
             }
         }
         self.now = self.next_start(end);
@@ -269,9 +293,11 @@ impl<W: Work> Chip<'_, W> {
         let mut words = vec![];
         for item in range {
             words.clear();
-            let mut tape = Tape::new(self.program, entry, &mut words, &mut self.skipped_runs).not_timed();
-            tape.event(entry, 0);
-            self.work.record(item, &mut tape);
+            let mut tape = Tape::new(&mut words, &mut self.skipped_runs).not_timed();
+            if let Err(fault) = self.work.record(item, entry, &mut tape) {
+                self.fault.get_or_insert(fault);
+                return;
+            }
             if item < cold {
                 continue;
             }

@@ -5,6 +5,7 @@
 //! (`chip::serve`). The threads that it has answered run through the rest of the quantum, and so on until nothing is asked. Quanta
 //! in which nothing can happen are skipped. The model in `tests/slow.rs` tells the same without tables and short cuts.
 
+mod ahead;
 mod banks;
 mod blocked;
 mod chip;

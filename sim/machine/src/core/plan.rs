@@ -59,7 +59,7 @@ pub fn accesses(program: &Program, words: &[u32], mut touch: impl FnMut(Kind, u3
     while at < words.len() {
         for op in program.ops_of(words[at]) {
             if matches!(op.kind, Kind::Load | Kind::Store) {
-                let first = words[at + 1 + usize::from(op.base)] + u32::from(op.offset);
+                let first = words[at + 1 + usize::from(op.base)].wrapping_add(u32::from(op.offset));
                 let count = program.operands_of(op).writes.len().max(1) as u32;
                 touch(op.kind, first);
                 if count > 1 {
@@ -67,6 +67,6 @@ pub fn accesses(program: &Program, words: &[u32], mut touch: impl FnMut(Kind, u3
                 }
             }
         }
-        at += 1 + program.code.runs[words[at] as usize].bases.len();
+        at += 1 + usize::from(program.code.runs[words[at] as usize].addresses);
     }
 }

@@ -4,36 +4,18 @@ use super::l1::L1;
 use super::l2::L2;
 use super::*;
 use crate::description::MachineDescription;
-use crate::program::{EntryId, Program};
+use crate::program::Program;
+use walk::Walk;
 
 mod slow;
 mod slow_and_fast;
-
-/// Items whose events are one run from `body`, with `address` at a word per item.
-struct Repeat {
-    items: u32,
-    body: EntryId,
-    address: fn(u32) -> u32,
-}
-
-impl Work for Repeat {
-    fn items(&self) -> u32 {
-        self.items
-    }
-
-    fn record(&self, item: u32, tape: &mut Tape<'_>) {
-        if let Some(base) = tape.program().base("data") {
-            tape.address(base, (self.address)(item));
-        }
-        tape.event(self.body, 0);
-    }
-}
+mod walk;
 
 /// A program that gets an item, goes through `body` and gets the next.
 fn listing(body: &str) -> String {
     format!(
-        "main: #: start\n ATOMIC_INC $2, 0\n beqz $2, $end #: no_more\n nop\n$body: #: body\n{body}\n\
-         ATOMIC_INC $2, 0\n bnez $2, $body #: !no_more\n nop\n$end:\n jr $ra\n nop\n"
+        "main:\n ATOMIC_INC $2, 0\n beqz $2, $end\n nop\n$body:\n{body}\n\
+         ATOMIC_INC $2, 0\n bnez $2, $body\n nop\n$end:\n jr $ra\n nop\n"
     )
 }
 
@@ -45,7 +27,7 @@ fn machine(settings: &[&str]) -> MachineDescription {
 fn run_at(settings: &[&str], items: u32, body: &str, address: fn(u32) -> u32) -> Counts {
     let machine = machine(settings);
     let program = Program::new("test", &listing(body), &machine, 8).unwrap();
-    let work = Repeat { items, body: program.entry("body"), address };
+    let work = Walk { program: &program, items, decide: |item, _| (false, address(item)) };
     simulate(&machine, &program, &work, |_| {}).unwrap()
 }
 
@@ -73,17 +55,18 @@ fn results_are_used_when_they_are_ready_and_not_a_cycle_before() {
     // A condition is ready one cycle later, for the branch behind it too.
     assert_eq!(cycles(&[], "c.olt.s $f1, $f2\nmovt $3, $4, $fcc0"), 2);
     // The pipeline's results come after its latency.
-    let step = "DSTSTEP $2, $3, $4, $f1, $f2, $f3, $f4, $5, $f5, $f6";
-    assert_eq!(cycles(&[], &format!("{step}\naddu $6, $3, $3")), 9);
-    assert_eq!(cycles(&[], &format!("{step}\naddu $6, $7, $7")), 2);
+    let step = |operands: &str| format!("DSTSTEP {operands}{}", ", $f7".repeat(9));
+    let first = step("$2, $3, $4, $f1, $f2, $f3, $f4, $5, $f5, $f6");
+    assert_eq!(cycles(&[], &format!("{first}\naddu $6, $3, $3")), 9);
+    assert_eq!(cycles(&[], &format!("{first}\naddu $6, $7, $7")), 2);
     // Of several operands that are late, the last one decides.
     let late = "div.s $f1, $f7, $f7\ndiv.s $f2, $f7, $f7\ndiv.s $f3, $f7, $f7";
     for (user, from) in [
-        ("add.s $f4, $f1, $f2", 17),
-        ("add.s $f4, $f2, $f1", 17),
-        ("add.s $f4, $f3, $f1", 18),
-        ("DSTSTEP $2, $3, $4, $f1, $f2, $f7, $f7, $5, $f7, $f7", 17),
-        ("DSTSTEP $2, $3, $4, $f7, $f7, $f2, $f1, $5, $f3, $f7", 18),
+        ("add.s $f4, $f1, $f2".to_owned(), 17),
+        ("add.s $f4, $f2, $f1".to_owned(), 17),
+        ("add.s $f4, $f3, $f1".to_owned(), 18),
+        (step("$2, $3, $4, $f1, $f2, $f7, $f7, $5, $f7, $f7"), 17),
+        (step("$2, $3, $4, $f7, $f7, $f2, $f1, $5, $f3, $f7"), 18),
     ] {
         assert_eq!(cycles(&[], &format!("{late}\n{user}")), from + 1, "{user}");
     }
@@ -93,22 +76,22 @@ fn results_are_used_when_they_are_ready_and_not_a_cycle_before() {
 fn loads_take_the_latency_of_where_the_line_is() {
     let t = machine(&[]).dram.timing;
     let memory = (t.activate_to_column + t.read_latency + t.burst) / machine(&[]).dram.clocks_per_cycle;
-    let used = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3";
+    let used = "LOAD $3, $4, 0\naddu $5, $3, $3";
     assert_eq!(cycles(&[], used), memory + 1);
     // The second word of the line is there after the first.
-    let again = format!("{used}\nLOAD $3, $4, 1 #: data\naddu $5, $3, $3");
+    let again = format!("{used}\nLOAD $3, $4, 1\naddu $5, $3, $3");
     assert_eq!(cycles(&[], &again), memory + 3);
     for latency in [1, 3] {
         let setting = format!("l1.latency_cycles={latency}");
         assert_eq!(cycles(&[&setting], &again), memory + 2 + latency);
     }
     // Replaced in the first-level cache by a line of the same set, but still in the second.
-    let conflict = "LOAD $6, $4, 8192 #: data\naddu $5, $6, $6\nLOAD $3, $4, 1 #: data\naddu $5, $3, $3";
+    let conflict = "LOAD $6, $4, 8192\naddu $5, $6, $6\nLOAD $3, $4, 1\naddu $5, $3, $3";
     let both = format!("{used}\n{conflict}");
     let counts = run_at(&["tm.threads=1"], 1, &both, |_| 64);
     assert_eq!((counts.l1.hits, counts.l2.hits, counts.l2.loads), (0, 1, 3));
     let (l1, l2) = (machine(&[]).l1.latency_cycles, machine(&[]).l2.latency_cycles);
-    let two_lines = cycles(&[], &format!("{used}\nLOAD $6, $4, 8192 #: data\naddu $5, $6, $6"));
+    let two_lines = cycles(&[], &format!("{used}\nLOAD $6, $4, 8192\naddu $5, $6, $6"));
     assert_eq!(cycles(&[], &both) - two_lines, l1 + l2 + 1);
     // Two ways hold both.
     let counts = run_at(&["tm.threads=1", "l1.associativity=2"], 1, &both, |_| 64);
@@ -121,7 +104,7 @@ fn loads_take_the_latency_of_where_the_line_is() {
 fn reads_that_find_their_channel_full_wait_and_are_all_served() {
     // Every thread reads a line of its own, all in one row of one channel: whatever the queue holds, the data bus decides.
     let settings = |queue: &'static str| ["tm.threads=32", "l1.banks=64", "l2.banks=64", queue];
-    let body = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3";
+    let body = "LOAD $3, $4, 0\naddu $5, $3, $3";
     let run = |queue| run_at(&settings(queue), 32, body, |item| 17 * item);
     let (free, full) = (run("dram.read_queue=80"), run("dram.read_queue=2"));
     assert_eq!((free.dram.refused, free.dram.reads), (0, 32));
@@ -138,8 +121,8 @@ fn reads_that_find_their_channel_full_wait_and_are_all_served() {
 fn a_line_that_is_read_while_everybody_waits_is_not_missed() {
     // Line 4 is in the second-level cache only, its row is open. Line 5 is read from that row, and while line 4 is served
     // the memory gives the command. Then the only thread waits for line 5, and nothing else is due before the refresh.
-    let set_up = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3\nLOAD $6, $4, 8192 #: data\naddu $5, $6, $6\n";
-    let both = format!("{set_up}LOAD $7, $4, 16 #: data\nLOAD $8, $4, 1 #: data\naddu $5, $7, $8");
+    let set_up = "LOAD $3, $4, 0\naddu $5, $3, $3\nLOAD $6, $4, 8192\naddu $5, $6, $6\n";
+    let both = format!("{set_up}LOAD $7, $4, 16\nLOAD $8, $4, 1\naddu $5, $7, $8");
     let m = machine(&[]);
     let read = (m.dram.timing.read_latency + m.dram.timing.burst) / m.dram.clocks_per_cycle;
     for nops in 0..8 {
@@ -151,7 +134,7 @@ fn a_line_that_is_read_while_everybody_waits_is_not_missed() {
 
 #[test]
 fn a_load_that_can_join_a_line_under_way_does_not_wait_for_the_bank_of_the_second_level_cache() {
-    let loads = repeat("LOAD $3, $4, 0 #: data\nLOAD $5, $4, 512 #: data", 2);
+    let loads = repeat("LOAD $3, $4, 0\nLOAD $5, $4, 512", 2);
     for threads in [8, 16] {
         let settings = ["chip.tms_per_partition=4", &format!("tm.threads={threads}"), "l2.banks=1"];
         let counts = run_at(&settings, 16 * threads, &loads, |item| 1024 + item % 2);
@@ -176,7 +159,7 @@ fn banks_units_and_fetches_serve_as_many_a_cycle_as_there_are() {
     assert!((1800..=2400).contains(&taken.units), "{taken:?}");
     assert_eq!(taken.issue, free.issue);
     // All threads load the same word: one a cycle. Different banks: no conflict.
-    let loads = repeat("LOAD $3, $4, 0 #: data", 200);
+    let loads = repeat("LOAD $3, $4, 0", 200);
     let same = slower(&[], &loads, |_| 64);
     let apart = slower(&[], &loads, |item| 64 + item);
     assert!((1800..=2700).contains(&same.memory), "{same:?}");
@@ -190,7 +173,7 @@ fn banks_units_and_fetches_serve_as_many_a_cycle_as_there_are() {
 #[test]
 fn every_thread_cycle_is_in_one_class_and_stores_merge_or_count() {
     for settings in [vec![], vec!["chip.tms_per_partition=3"], vec!["l1.enabled=false"]] {
-        let body = "LOAD $3, $4, 0 #: data\nmul.s $f1, $f1, $f1\nSTORE $3, $4, 7 #: data\naddu $3, $3, $3";
+        let body = "LOAD $3, $4, 0\nmul.s $f1, $f1, $f1\nSTORE $3, $4, 7\naddu $3, $3, $3";
         let counts = run_at(&settings, 999, body, |item| 64 + 37 * item);
         let tms = machine(&settings).chip.tms();
         let all = u64::from(counts.cycles) * u64::from(32 * tms);
@@ -205,7 +188,7 @@ fn every_thread_cycle_is_in_one_class_and_stores_merge_or_count() {
 #[test]
 fn every_cycle_that_waits_for_memory_is_a_refusal_that_one_cache_counts() {
     // Of loads of one word and stores, with room in the memory's queues.
-    let body = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3\nLOAD $6, $4, 40 #: data\nSTORE $3, $4, 1 #: data";
+    let body = "LOAD $3, $4, 0\naddu $5, $3, $3\nLOAD $6, $4, 40\nSTORE $3, $4, 1";
     let queues = ["chip.tms_per_partition=4", "dram.read_queue=4096", "dram.write_queue=4096"];
     for banks in
         [["l2.banks=1", "l1.banks=8"], ["l2.banks=2", "l1.banks=2"], ["l2.banks=1", "l1.enabled=false"]]
@@ -220,8 +203,7 @@ fn every_cycle_that_waits_for_memory_is_a_refusal_that_one_cache_counts() {
 
 #[test]
 fn wide_loads_bring_adjacent_words_and_take_a_second_access_across_lines() {
-    let four =
-        "LOAD $3, $9, 0 #: data\nLOAD $4, $9, 1 #: data\nLOAD $5, $9, 2 #: data\nLOAD $6, $9, 3 #: data";
+    let four = "LOAD $3, $9, 0\nLOAD $4, $9, 1\nLOAD $5, $9, 2\nLOAD $6, $9, 3";
     let used = format!("{four}\naddu $7, $3, $6");
     let run = |words: &str, address: fn(u32) -> u32| {
         let words = format!("tm.load_words={words}");
@@ -247,7 +229,7 @@ fn wide_loads_bring_adjacent_words_and_take_a_second_access_across_lines() {
     assert_eq!((crossing.l1.loads, crossing.dram.reads), (2, 2));
     assert_eq!(instructions(&crossing), instructions(&run("4", |_| 64)));
     // What is used between two loads keeps them apart, as does a register that is written.
-    let apart = "LOAD $3, $9, 0 #: data\naddu $4, $4, $4\nLOAD $4, $9, 1 #: data";
+    let apart = "LOAD $3, $9, 0\naddu $4, $4, $4\nLOAD $4, $9, 1";
     let counts = run_at(&["tm.threads=1", "tm.load_words=4"], 1, apart, |_| 64);
     assert_eq!(counts.l1.loads, 2);
 }
@@ -258,7 +240,7 @@ fn a_larger_cache_never_misses_more_and_each_line_is_missed_once_at_least() {
     let misses = |lines: u32| {
         let size = format!("l1.size={}", lines * 64);
         let settings = ["tm.threads=1", &size, &format!("l1.associativity={lines}"), "l1.banks=1"];
-        let body = "LOAD $3, $4, 0 #: data\naddu $5, $3, $3";
+        let body = "LOAD $3, $4, 0\naddu $5, $3, $3";
         let l1 = run_at(&settings, 4000, body, |item| 16 * (item * item % 61)).l1;
         l1.loads - l1.hits
     };

@@ -281,7 +281,7 @@ impl Thread {
     #[inline(always)]
     fn end_run(&mut self, program: &Program) {
         let run = &program.code.runs[self.tape[self.at as usize] as usize];
-        let next = self.at + 1 + run.bases.len() as u32;
+        let next = self.at + 1 + u32::from(run.addresses);
         if next as usize == self.tape.len() {
             self.state = State::Ended;
             return;
@@ -294,7 +294,6 @@ impl Thread {
     #[inline(always)]
     fn address(&self, op: &MicroOp) -> u32 {
         self.tape[self.at as usize + 1 + usize::from(op.base)]
-            + u32::from(op.offset)
-            + u32::from(self.brought)
+            .wrapping_add(u32::from(op.offset) + u32::from(self.brought))
     }
 }

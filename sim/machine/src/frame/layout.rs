@@ -2,8 +2,11 @@
 
 use crate::description::check::out_of_range;
 use crate::description::{DescriptionError, MachineDescription};
-use golden::structure::Structure;
+use crate::execute::Memory;
+use golden::ray::{EXIT_PADDING_ULPS, Mode};
+use golden::structure;
 use golden::triangle::Triangle;
+use render::{Frame, RenderOptions};
 
 /// Word addresses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,8 +21,24 @@ pub struct Layout {
     pub words: u64,
 }
 
-/// The parameter block: image, camera, light, root.
-const PARAMETER_WORDS: u64 = 64;
+/// Numbers of the words of the parameter block, as `kernels/trax.h` has them.
+mod parameter {
+    pub const RAYS: usize = 1;
+    pub const BOUNCES: usize = 2;
+    pub const INVERSE_WIDTH: usize = 3;
+    pub const WIDTH: usize = 4;
+    pub const OUT: usize = 7;
+    pub const NODES: usize = 8;
+    pub const TRIANGLES: usize = 9;
+    pub const PADDING: usize = 10;
+    pub const EXTENT: usize = 11;
+    pub const CAMERA: usize = 16;
+    pub const LIGHT: usize = 28;
+    pub const BACKGROUND: usize = 34;
+    pub const ROOT: usize = 40;
+    /// Words of the block.
+    pub const COUNT: usize = 64;
+}
 
 impl Layout {
     /// Words of a pixel.
@@ -30,17 +49,16 @@ impl Layout {
     /// # Errors
     /// If the memory is too small.
     pub fn new(
-        structure: &Structure,
+        structure: &structure::Memory<'_>,
         pixels: u32,
         machine: &MachineDescription,
     ) -> Result<Self, DescriptionError> {
-        let triangles = structure.triangles().len();
         let line = u64::from(machine.l2.line_words());
         let align = |words: u64| words.next_multiple_of(line);
-        let pixels_at = PARAMETER_WORDS;
+        let pixels_at = align(parameter::COUNT as u64);
         let nodes_at = align(pixels_at + u64::from(pixels) * u64::from(Self::PIXEL_WORDS));
-        let triangles_at = align(nodes_at + structure.node_bytes() as u64 / 4);
-        let words = align(triangles_at + triangles as u64 * u64::from(Triangle::WORDS));
+        let triangles_at = align(nodes_at + structure.words.len() as u64);
+        let words = align(triangles_at + structure.triangles.len() as u64 * u64::from(Triangle::WORDS));
         let bytes = machine.dram.bytes(machine.l2.line.0);
         if words * 4 > bytes {
             let rule =
@@ -53,5 +71,49 @@ impl Layout {
             triangles_at: triangles_at as u32,
             words,
         })
+    }
+
+    /// The memory before a frame.
+    #[must_use]
+    pub fn memory(
+        &self,
+        structure: &structure::Memory<'_>,
+        frame: &Frame,
+        options: &RenderOptions,
+    ) -> Memory {
+        let mut words = vec![0; self.words as usize];
+        let pixels = options.width * options.height;
+        for (number, value) in [
+            (parameter::RAYS, pixels),
+            (parameter::BOUNCES, frame.bounces as u32),
+            (parameter::WIDTH, options.width),
+            (parameter::OUT, self.pixels_at),
+            (parameter::NODES, self.nodes_at),
+            (parameter::TRIANGLES, self.triangles_at),
+            (parameter::PADDING, if options.mode == Mode::Robust { EXIT_PADDING_ULPS } else { 0 }),
+            (parameter::ROOT + 6, structure.root),
+        ] {
+            words[number] = value;
+        }
+        let camera = &frame.camera;
+        let vectors = [
+            (parameter::CAMERA, [camera.eye, camera.corner, camera.right, camera.down].concat()),
+            (parameter::LIGHT, [frame.light.position, frame.light.intensity].concat()),
+            (parameter::BACKGROUND, frame.background.to_vec()),
+            (parameter::ROOT, [structure.root_box.min, structure.root_box.max].concat()),
+            (parameter::EXTENT, vec![frame.light.extent]),
+            (parameter::INVERSE_WIDTH, vec![1.0 / options.width as f32]),
+        ];
+        for (first, values) in vectors {
+            for (word, value) in words[first..].iter_mut().zip(values) {
+                *word = value.to_bits();
+            }
+        }
+        let nodes_at = self.nodes_at as usize;
+        words[nodes_at..nodes_at + structure.words.len()].copy_from_slice(structure.words);
+        let triangles: &[u32] = bytemuck::cast_slice(structure.triangles);
+        let triangles_at = self.triangles_at as usize;
+        words[triangles_at..triangles_at + triangles.len()].copy_from_slice(triangles);
+        Memory::new(words, self.pixels_at..self.pixels_at + pixels * Self::PIXEL_WORDS)
     }
 }

@@ -1,33 +1,30 @@
-//! Frames: the golden renderer's pixels as work for the machine.
+//! Frames: pictures as work for the machine.
 //!
-//! Each item of the shared counter is a pixel. Its rays are traced through the golden structure by the golden steps; what
-//! happens on the way is recorded as events of the structure's program. The picture is the golden picture bit for bit,
-//! whatever the timing.
+//! Each item of the shared counter is a pixel. The structure's program computes it ([`crate::execute`]) from the memory that holds
+//! the scene; golden renders the same pixel, and a picture that differs in a bit is an error.
 
 mod checker;
 mod layout;
-mod names;
-mod recorder;
-mod recording;
+mod operations;
 mod structure;
-mod triangle;
-mod walk;
+#[cfg(test)]
+mod tests;
 
 pub use checker::Checker;
 pub use layout::Layout;
-pub use recording::Totals;
+pub use operations::Operations;
 pub use structure::{FrameMachine, MachineStructure};
 
 use super::core::{Counts, SimulationError, Tape, Work, simulate};
 use super::description::DescriptionError;
-use super::program::{ListingError, Program};
-use golden::precision::NarrowDst;
-use golden::structure::Structure;
-use names::Names;
-use recorder::{Recorder, Traced};
+use super::execute::{Executor, Fault, Mistake, Special};
+use super::program::{EntryId, ListingError, Opcode, Program};
+use golden::precision::{NarrowDst, Variant};
+use golden::structure::{Structure, StructureFormat};
 use render::{Pixel, PixelRenderer, RenderError, RenderOptions};
 use scenes::Scene;
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::{Arc, Mutex};
 
 /// Why a frame cannot be simulated.
 #[derive(Debug, thiserror::Error)]
@@ -51,7 +48,7 @@ pub struct Frame {
     /// What the machine counted.
     pub counts: Counts,
     /// The program that ran.
-    pub program: Program,
+    pub program: Arc<Program>,
     /// Rays traced.
     pub rays: u64,
     /// The picture, row by row from the top.
@@ -62,17 +59,27 @@ pub struct Frame {
     pub triangle_tests: u64,
 }
 
+/// What a frame traces through.
+#[derive(Clone, Copy)]
+enum Traced<'a> {
+    /// In binary32.
+    Wide(&'a Structure),
+    /// A dual-split tree in a narrower format.
+    Narrow(&'a NarrowDst),
+}
+
 /// The pixels of a frame as work for a machine.
-pub struct FrameWork<'a> {
+pub struct FrameWork<'a, S = Operations<'a>> {
     /// The structure's program.
-    pub program: Program,
+    pub program: Arc<Program>,
+    executor: Executor<S>,
+    /// The operations of items that are timed, if they are others.
+    timed: Option<S>,
+    /// What golden renders with.
     renderer: PixelRenderer<'a>,
     traced: Traced<'a>,
     width: u32,
-    height: u32,
-    names: Names,
     layout: Layout,
-    checker: Option<&'a dyn Checker>,
     done: Mutex<Done>,
 }
 
@@ -82,9 +89,24 @@ struct Done {
     totals: Totals,
 }
 
+/// Totals of pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Totals {
+    /// Rays traced.
+    pub rays: u64,
+    /// Triangle tests that single precision did not decide.
+    pub exact_tests: u64,
+    /// All triangle tests.
+    pub triangle_tests: u64,
+    /// Steps and box tests that the pipeline's netlist executed.
+    pub rtl_operations: u64,
+    /// Those whose results are not golden's, bit for bit.
+    pub rtl_differences: u64,
+}
+
 impl<'a> FrameWork<'a> {
-    /// A frame of `scene` through `structure`, one sample per pixel. Every pipeline operation of an item that is timed is
-    /// also given to `checker`, if there is one.
+    /// A frame of `scene` through `structure`, one sample per pixel. Every pipeline operation of an item that is timed is also given
+    /// to `checker`, if there is one.
     ///
     /// # Errors
     /// See [`FrameError`].
@@ -98,33 +120,82 @@ impl<'a> FrameWork<'a> {
         options: &RenderOptions,
         checker: Option<&'a dyn Checker>,
     ) -> Result<Self, FrameError> {
-        assert_eq!(
-            structure.kind(),
-            machine.structure.kind(),
-            "the structure that the machine is set up for"
-        );
-        Self::traced(machine, scene, structure, Traced::Wide(structure), options, checker)
+        Self::traced(machine, scene, Traced::Wide(structure), options, checker)
     }
 
     fn traced(
         machine: &FrameMachine,
         scene: &'a Scene,
-        structure: &Structure,
         traced: Traced<'a>,
         options: &RenderOptions,
         checker: Option<&'a dyn Checker>,
     ) -> Result<Self, FrameError> {
-        let pixels = options.width * options.height;
+        let narrow = match traced {
+            Traced::Wide(_) => None,
+            Traced::Narrow(narrow) => Some(narrow),
+        };
+        let operations = |checker| Operations {
+            seed: options.seed,
+            narrow,
+            checker,
+            checked: AtomicU64::new(0),
+            differences: AtomicU64::new(0),
+        };
         let program = machine.program()?;
+        let mut work = Self::with_operations(machine, program, scene, traced, options, operations(None))?;
+        work.timed = checker.map(|checker| operations(Some(checker)));
+        Ok(work)
+    }
+
+    /// The pixels recorded so far, row by row from the top, and their totals.
+    ///
+    /// # Errors
+    /// If an item has read what another one has left.
+    ///
+    /// # Panics
+    /// If recording one has panicked.
+    pub fn finish(mut self) -> Result<(Vec<Option<Pixel>>, Totals), FrameError> {
+        self.executor.check().map_err(SimulationError::from)?;
+        let Done { pixels, totals } = self.done.into_inner().expect("no panic while it was held");
+        let timed = self.timed.as_ref();
+        let rtl_operations = timed.map_or(0, |timed| timed.checked.load(Relaxed));
+        let rtl_differences = timed.map_or(0, |timed| timed.differences.load(Relaxed));
+        Ok((pixels, Totals { rtl_operations, rtl_differences, ..totals }))
+    }
+}
+
+impl<'a, S: Special> FrameWork<'a, S> {
+    fn with_operations(
+        machine: &FrameMachine,
+        program: Program,
+        scene: &'a Scene,
+        traced: Traced<'a>,
+        options: &RenderOptions,
+        operations: S,
+    ) -> Result<Self, FrameError> {
+        let kind = machine.structure.kind();
+        let memory = match traced {
+            Traced::Wide(structure) => {
+                assert_eq!(structure.kind(), kind, "the structure that the machine is set up for");
+                structure.memory()
+            }
+            Traced::Narrow(narrow) => narrow.structure.memory(),
+        };
+        let pixels = options.width * options.height;
+        let renderer =
+            PixelRenderer::new(scene, &RenderOptions { count_work: true, samples: 1, ..*options })?;
+        let layout = Layout::new(&memory, pixels, &machine.description)?;
+        let program = Arc::new(program);
+        let image = layout.memory(&memory, renderer.frame(), options);
+        let executor = Executor::new(Arc::clone(&program), image, operations, pixels);
         Ok(Self {
-            renderer: PixelRenderer::new(scene, options)?,
+            executor: executor.map_err(SimulationError::from)?,
+            timed: None,
+            program,
+            renderer,
             traced,
             width: options.width,
-            height: options.height,
-            names: Names::new(&program),
-            layout: Layout::new(structure, pixels, &machine.description)?,
-            program,
-            checker,
+            layout,
             done: Mutex::new(Done { pixels: vec![None; pixels as usize], totals: Totals::default() }),
         })
     }
@@ -135,36 +206,93 @@ impl<'a> FrameWork<'a> {
         &self.layout
     }
 
-    /// The pixels recorded so far, row by row from the top, and their totals.
-    ///
-    /// # Panics
-    /// If recording one has panicked.
+    /// Where the first item of a thread begins.
     #[must_use]
-    pub fn finish(self) -> (Vec<Option<Pixel>>, Totals) {
-        let done = self.done.into_inner().expect("no panic while it was held");
-        (done.pixels, done.totals)
+    pub fn first_entry(&self) -> EntryId {
+        self.executor.entries()[0]
+    }
+
+    /// Where all others begin.
+    #[must_use]
+    pub fn later_entry(&self) -> EntryId {
+        *self.executor.entries().last().expect("a program that takes items")
+    }
+
+    /// Executes item `item` without rendering it by golden.
+    ///
+    /// # Errors
+    /// What the program does wrong.
+    pub fn execute(&self, item: u32, entry: EntryId, tape: &mut Tape<'_>) -> Result<(), Box<Fault>> {
+        self.executor.record(item, entry, tape).map(|_exact_tests| ())
+    }
+
+    /// Golden's pixel, its rays, and whether the program has to compute the same.
+    fn golden(&self, pixel: [u32; 2]) -> (Pixel, u64, bool) {
+        match self.traced {
+            Traced::Wide(structure) => {
+                let (pixel, rays) = self.renderer.pixel_and_rays(structure, pixel);
+                (pixel, rays, true)
+            }
+            Traced::Narrow(narrow) => {
+                let (pixel, rays) = self.renderer.pixel_and_rays(narrow, pixel);
+                // Where rounding loses hits, it is a matter of which operations are rounded.
+                (pixel, rays, narrow.precision.variant == Variant::Conservative)
+            }
+        }
+    }
+
+    /// Compares what item `item` has written with `golden`.
+    fn compare(&self, item: u32, pixel: [u32; 2], golden: &Pixel) -> Result<(), Box<Fault>> {
+        let first = self.layout.pixels_at + item * Layout::PIXEL_WORDS;
+        for (channel, golden) in golden.rgb.into_iter().enumerate() {
+            let found = self.executor.memory().written(first + channel as u32);
+            if found != Some(golden.to_bits()) {
+                let store = self.program.operations.iter().position(|op| op.opcode == Opcode::Store);
+                return Err(Box::new(Fault {
+                    program: self.program.name.clone(),
+                    line: store.map_or(1, |at| self.program.lines[at]),
+                    item,
+                    mistake: Mistake::Picture { pixel, channel, found: found.map(f32::from_bits), golden },
+                }));
+            }
+        }
+        Ok(())
     }
 }
 
-impl Work for FrameWork<'_> {
+impl<S: Special> Work for FrameWork<'_, S> {
     fn items(&self) -> u32 {
-        self.width * self.height
+        self.executor.items()
     }
 
-    fn record(&self, item: u32, tape: &mut Tape<'_>) {
-        let recorder = Recorder::new(
-            self.traced,
-            &self.names,
-            &self.layout,
-            self.checker.filter(|_| tape.is_timed()),
-            tape,
-        );
-        recorder.pixel(self.layout.pixels_at + item * Layout::PIXEL_WORDS);
-        let pixel = self.renderer.pixel(&recorder, [item % self.width, item / self.width]);
-        let totals = recorder.finish();
+    fn entries(&self) -> Option<(EntryId, EntryId)> {
+        self.executor.entries().first().copied().zip(self.executor.entries().last().copied())
+    }
+
+    fn start(&self, tape: &mut Tape<'_>) -> Result<(), Box<Fault>> {
+        self.executor.start(tape)
+    }
+
+    fn record(&self, item: u32, entry: EntryId, tape: &mut Tape<'_>) -> Result<(), Box<Fault>> {
+        let exact_tests = match &self.timed {
+            Some(timed) if tape.is_timed() => self.executor.record_with(timed, item, entry, tape)?,
+            _ => self.executor.record(item, entry, tape)?,
+        };
+        if item >= self.items() {
+            return Ok(());
+        }
+        let place = [item % self.width, item / self.width];
+        let (pixel, rays, equal) = self.golden(place);
+        if equal {
+            let compared = self.compare(item, place, &pixel);
+            compared.map_err(|fault| self.executor.blame(item, entry).unwrap_or(fault))?;
+        }
         let mut done = self.done.lock().expect("no panic while it was held");
-        done.pixels[item as usize] = Some(pixel);
-        done.totals.merge(&totals);
+        done.totals.rays += rays;
+        done.totals.exact_tests += exact_tests;
+        done.totals.triangle_tests += u64::from(pixel.work.triangle_tests);
+        done.pixels[item as usize] = Some(Pixel { work: render::Work::default(), ..pixel });
+        Ok(())
     }
 }
 
@@ -184,22 +312,19 @@ pub fn frame(
     options: &RenderOptions,
     pixels_done: impl FnMut(u32),
 ) -> Result<Frame, FrameError> {
-    assert_eq!(structure.kind(), machine.structure.kind(), "the structure that the machine is set up for");
-    traced_frame(machine, scene, structure, Traced::Wide(structure), options, pixels_done)
+    traced_frame(machine, scene, Traced::Wide(structure), options, pixels_done)
 }
 
-/// [`frame`] through a dual-split tree in a narrower format, each of whose nodes takes the memory of one of `structure`, from
-/// which it was converted. The mode of `options` has to be that of the format's variant.
+/// [`frame`] through a dual-split tree in a narrower format. The mode of `options` has to be that of the format's variant.
 ///
 /// # Errors
 /// See [`FrameError`].
 ///
 /// # Panics
-/// If the machine is set up for another structure, or `structure` was not built over the scene's mesh.
+/// If the machine is set up for another structure, or `narrow` was not built over the scene's mesh.
 pub fn narrow_frame(
     machine: &FrameMachine,
     scene: &Scene,
-    structure: &Structure,
     narrow: &NarrowDst,
     options: &RenderOptions,
     pixels_done: impl FnMut(u32),
@@ -209,21 +334,20 @@ pub fn narrow_frame(
         MachineStructure::Dst,
         "narrow formats are those of the dual-split pipeline"
     );
-    traced_frame(machine, scene, structure, Traced::Narrow(narrow), options, pixels_done)
+    traced_frame(machine, scene, Traced::Narrow(narrow), options, pixels_done)
 }
 
 fn traced_frame(
     machine: &FrameMachine,
     scene: &Scene,
-    structure: &Structure,
     traced: Traced<'_>,
     options: &RenderOptions,
     pixels_done: impl FnMut(u32),
 ) -> Result<Frame, FrameError> {
-    let work = FrameWork::traced(machine, scene, structure, traced, options, None)?;
+    let work = FrameWork::traced(machine, scene, traced, options, None)?;
     let counts = simulate(&machine.description, &work.program, &work, pixels_done)?;
-    let program = work.program.clone();
-    let (pixels, Totals { rays, exact_tests, triangle_tests, .. }) = work.finish();
+    let program = Arc::clone(&work.program);
+    let (pixels, Totals { rays, exact_tests, triangle_tests, .. }) = work.finish()?;
     let pixels = pixels.into_iter().map(|pixel| pixel.expect("every item was taken")).collect();
     Ok(Frame { counts, program, rays, pixels, exact_tests, triangle_tests })
 }

@@ -1,15 +1,19 @@
 //! What a program executes: the operations of its runs, made of a listing's instructions.
 
 use super::EntryId;
-use super::isa::{Place, Register};
 use super::listing::{Instruction, Listing};
+use super::operation::{Opcode, Place};
+use super::registers::{REGISTERS, Register};
 use super::run::{Kind, MicroOp, Operands, Run, pool_of};
 use super::scoreboard::{Accesses, BoardEntry, READY, SINK, Scoreboard, Stretch};
 use crate::description::MachineDescription;
 
 /// The instructions from one entry point to the next.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Route {
+    /// Where they begin.
     pub from: EntryId,
+    /// The entry point that follows; none at the end of the program.
     pub to: Option<EntryId>,
     /// Indices into the listing.
     pub instructions: Vec<usize>,
@@ -36,13 +40,35 @@ pub struct Source<'a> {
     pub routes: &'a [Route],
     /// Number of entry points.
     pub entries: usize,
-    /// Names of addresses.
-    pub bases: &'a [String],
+}
+
+/// Which accesses to global memory give a run a new address, by the instructions' indices: the first one since the register
+/// that holds it was written, or since control came together. All others are relative to an address that is known.
+pub fn new_addresses(listing: &Listing) -> Vec<bool> {
+    let leaders = listing.leaders();
+    let mut known = [false; REGISTERS];
+    let of = |(at, instruction): (usize, &Instruction)| {
+        if leaders[at] {
+            known = [false; REGISTERS];
+        }
+        let operation = &instruction.operation;
+        let is_new = is_global(instruction) && !std::mem::replace(&mut known[usize::from(operation.a)], true);
+        operation.accesses(&listing.lists).1.iter().for_each(|written| known[usize::from(*written)] = false);
+        is_new
+    };
+    listing.instructions.iter().enumerate().map(of).collect()
+}
+
+fn is_global(instruction: &Instruction) -> bool {
+    matches!(instruction.operation.place(), Place::Load | Place::Store)
 }
 
 impl Code {
     /// The code of `source`, with a run for each of its routes.
-    pub fn new(source: &Source<'_>) -> Self {
+    ///
+    /// # Errors
+    /// The index of an instruction before which a run has too many addresses.
+    pub fn new(source: &Source<'_>) -> Result<Self, usize> {
         let stretch = |route: &Route| Stretch {
             from: route.from,
             to: route.to,
@@ -52,36 +78,45 @@ impl Code {
         let board = Scoreboard::new(&stretches, source.entries);
         let mut code =
             Self { ops: vec![], places: vec![], operands: vec![Operands::default()], runs: vec![] };
+        let is_new = new_addresses(source.listing);
         for number in 0..source.routes.len() {
-            code.add_run(source, number, &board);
+            code.add_run(source, number, &board, &is_new)?;
         }
-        code
+        Ok(code)
     }
 
-    fn add_run(&mut self, source: &Source<'_>, number: usize, board: &Scoreboard) {
+    fn add_run(
+        &mut self,
+        source: &Source<'_>,
+        number: usize,
+        board: &Scoreboard,
+        is_new: &[bool],
+    ) -> Result<(), usize> {
         let route = &source.routes[number];
         let first = self.ops.len() as u32;
-        let mut bases: Vec<u8> = vec![];
+        let mut addresses = 0u8;
+        let mut address_of = [0u8; REGISTERS];
         let known = board.waits[number].iter().zip(&board.notes[number]);
         for (&at, (waits, notes)) in route.instructions.iter().zip(known) {
             let instruction = &source.listing.instructions[at];
             let mut address = (0, 0);
-            if let Some((base, offset)) = &instruction.address {
-                let base = source.bases.iter().position(|b| b == base).expect("interned") as u8;
-                let slot = bases.iter().position(|b| *b == base).unwrap_or_else(|| {
-                    bases.push(base);
-                    bases.len() - 1
-                });
-                address = (slot as u8, *offset as u16);
+            if is_global(instruction) {
+                let base = usize::from(instruction.operation.a);
+                if is_new[at] {
+                    address_of[base] = addresses;
+                    addresses = addresses.checked_add(1).ok_or(at)?;
+                }
+                address = (address_of[base], instruction.operation.offset() as u16);
             }
             let bank = (at as u32 & (source.machine.icache.banks - 1)) as u8;
             let op = self.operation(source, instruction, address, waits, *notes, board);
             self.ops.push(MicroOp { bank, ..op });
         }
         let length = self.ops.len() as u32 - first;
-        let place = |at: &usize| source.listing.instructions[*at].decoded.place;
+        let place = |at: &usize| source.listing.instructions[*at].operation.place();
         self.places.push(route.instructions.iter().map(place).collect());
-        self.runs.push(Run { first, length, bases, next: route.to });
+        self.runs.push(Run { first, length, addresses, next: route.to });
+        Ok(())
     }
 
     fn operation(
@@ -93,8 +128,8 @@ impl Code {
         notes: bool,
         board: &Scoreboard,
     ) -> MicroOp {
-        let decoded = &instruction.decoded;
-        let kind = match decoded.place {
+        let place = instruction.operation.place();
+        let kind = match place {
             Place::Nop => Kind::Nop,
             Place::Load => Kind::Load,
             Place::Store => Kind::Store,
@@ -102,7 +137,14 @@ impl Code {
             _ => Kind::Plain,
         };
         let entries = |registers: &[Register]| registers.iter().map(|r| board.entry(*r)).collect();
-        let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&decoded.writes));
+        // A word of a wide load that is loaded to register zero is brought all the same.
+        let written = match instruction.operation.opcode {
+            Opcode::LoadWords => {
+                source.listing.lists[instruction.operation.list().expect("its words")].clone()
+            }
+            _ => instruction.operation.accesses(&source.listing.lists).1,
+        };
+        let (waits, writes): (Vec<BoardEntry>, Vec<BoardEntry>) = (entries(waits), entries(&written));
         let write = writes.first().copied().filter(|_| notes).unwrap_or(SINK);
         let reads = match waits[..] {
             [] => [READY; 2],
@@ -117,7 +159,7 @@ impl Code {
             self.operands.push(further);
             self.operands.len() - 1
         });
-        let (pool, latency) = (pool_of(decoded.place), source.latency_cycles(decoded.place) as u8);
+        let (pool, latency) = (pool_of(place), source.latency_cycles(place) as u8);
         MicroOp { kind, bank: 0, reads, write, pool, latency, base, offset, operands: operands as u16 }
     }
 }
@@ -133,8 +175,10 @@ impl Source<'_> {
     }
 
     fn accesses(&self, at: usize) -> Accesses {
-        let decoded = &self.listing.instructions[at].decoded;
-        let latency_cycles = (decoded.place != Place::Load).then(|| self.latency_cycles(decoded.place));
-        Accesses { reads: decoded.reads.clone(), writes: decoded.writes.clone(), latency_cycles }
+        let operation = &self.listing.instructions[at].operation;
+        let place = operation.place();
+        let latency_cycles = (place != Place::Load).then(|| self.latency_cycles(place));
+        let (reads, writes) = operation.accesses(&self.listing.lists);
+        Accesses { reads, writes, latency_cycles }
     }
 }

@@ -1,14 +1,12 @@
-//! Reads an annotated listing: the compiler's output with entry points, addresses and conditions named behind `#:`.
+//! Reads a listing: an assembler file as the compiler writes it.
 //!
-//! ```text
-//! $BB0_5:                         #: node            an entry point, where an event of the traversal begins
-//!     LOAD $15, $14, 6            #: node            relative to the address that the event gives as `node`
-//!     LOAD $f19, $15, 0           #: children+8      8 words behind `children`
-//!     bgez $15, $BB0_12           #: leaf            taken if the event says `leaf`; `!leaf`: if it does not
-//! ```
+//! Of the directives, `.4byte` and `.word` give the value of a constant behind its label; all others are skipped, as are comments
+//! from `#` to the end of the line. The program begins at `main`.
 
-use super::isa::{Decoded, Place, Register, decode};
-use std::collections::BTreeMap;
+use super::decode::{Context, Decoded, Test, decode};
+use super::operation::{Opcode, Operation};
+use super::registers::Register;
+use std::collections::HashMap;
 
 /// Why a listing cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -23,28 +21,26 @@ pub struct ListingError {
 }
 
 /// An instruction.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instruction {
     /// Line in the listing, from 1.
-    pub line: usize,
-    /// Place, reads and writes.
-    pub decoded: Decoded,
+    pub line: u32,
+    /// What it does.
+    pub operation: Operation,
     /// Where control goes.
     pub control: Control,
-    /// For loads and stores of global memory: what is addressed, and the offset in words.
-    pub address: Option<(String, u32)>,
 }
 
-/// What follows an instruction, after its delay slot.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// What follows an instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Control {
     /// The next instruction.
     Next,
-    /// The instruction with this index.
-    Jump(usize),
-    /// The instruction with this index if the condition has this value.
-    Branch(usize, String, bool),
-    /// The end of the program.
+    /// After the delay slot, the instruction with this index if the test of the operation's registers holds.
+    Branch(Test, usize),
+    /// The next instruction, in the next item of work.
+    Counter,
+    /// After the delay slot, the end of the program.
     End,
 }
 
@@ -53,8 +49,10 @@ pub enum Control {
 pub struct Listing {
     /// All instructions in the order of addresses.
     pub instructions: Vec<Instruction>,
-    /// Entry points: name of each index.
-    pub entries: BTreeMap<usize, String>,
+    /// Lists of registers of operations with many operands.
+    pub lists: Vec<Vec<Register>>,
+    /// Index of the first instruction that is executed.
+    pub start: usize,
 }
 
 impl Listing {
@@ -63,119 +61,157 @@ impl Listing {
     /// # Errors
     /// See [`ListingError`].
     pub fn parse(program: &str, text: &str) -> Result<Self, ListingError> {
+        let fail = |line: usize, message: String| ListingError { program: program.to_owned(), line, message };
+        let lines: Vec<(usize, &str)> = text
+            .lines()
+            .enumerate()
+            .map(|(index, line)| (index + 1, line.split('#').next().unwrap_or_default().trim()))
+            .filter(|(_, code)| !code.is_empty())
+            .collect();
+        let mut context = Context { constants: constants(&lines), lists: vec![] };
         let mut listing = Self::default();
-        let mut labels: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut labels: HashMap<&str, usize> = HashMap::new();
         let mut targets: Vec<(usize, &str)> = vec![];
-        for (index, whole) in text.lines().enumerate() {
-            let line = index + 1;
-            let fail = |message: String| ListingError { program: program.to_owned(), line, message };
-            let (code, note) = match whole.split_once("#:") {
-                Some((code, note)) => (code.trim(), Some(note.trim())),
-                None => (whole.split('#').next().unwrap_or_default().trim(), None),
-            };
-            if code.is_empty() {
-                continue;
-            }
+        for &(line, code) in &lines {
             let at = listing.instructions.len();
             if let Some(label) = code.strip_suffix(':') {
-                labels.insert(label, at);
-                if let Some(name) = note {
-                    listing.entries.insert(at, name.to_owned());
+                if labels.insert(label, at).is_some() {
+                    return Err(fail(line, format!("label `{label}` is there twice")));
                 }
                 continue;
             }
-            let (mnemonic, operands) = code.split_once(' ').unwrap_or((code, ""));
+            if code.starts_with('.') {
+                continue;
+            }
+            let (mnemonic, operands) = code.split_once(char::is_whitespace).unwrap_or((code, ""));
             let operands: Vec<&str> = operands.split(',').map(str::trim).filter(|o| !o.is_empty()).collect();
-            let decoded =
-                decode(mnemonic, &operands).ok_or_else(|| fail(format!("cannot decode `{code}`")))?;
-            let control = match mnemonic {
-                "jr" => Control::End,
-                "j" | "b" => {
-                    targets.push((at, operands.last().copied().unwrap_or_default()));
-                    Control::Jump(0)
+            let decoded = decode(mnemonic, &operands, &mut context).map_err(|message| {
+                fail(line, format!("cannot decode `{}`: {message}", code.replace('\t', " ")))
+            })?;
+            let (operation, control) = match decoded {
+                Decoded::Plain(operation) if operation.opcode == Opcode::Counter => {
+                    (operation, Control::Counter)
                 }
-                _ if mnemonic.starts_with('b') => {
-                    targets.push((at, operands.last().copied().unwrap_or_default()));
-                    let note = note.ok_or_else(|| fail(format!("`{code}` has no condition behind `#:`")))?;
-                    match note {
-                        "always" => Control::Jump(0),
-                        "never" => Control::Next,
-                        _ => match note.strip_prefix('!') {
-                            Some(name) => Control::Branch(0, name.to_owned(), false),
-                            None => Control::Branch(0, note.to_owned(), true),
-                        },
-                    }
+                Decoded::Plain(operation) => (operation, Control::Next),
+                Decoded::Branch(operation, test, label) => {
+                    targets.push((at, label));
+                    (operation, Control::Branch(test, 0))
                 }
-                _ => Control::Next,
+                Decoded::Return(operation) => (operation, Control::End),
             };
-            let address = match mnemonic {
-                "LOAD" | "STORE" => {
-                    let address = note.and_then(|note| address(note, operands.last()?));
-                    Some(address.ok_or_else(|| fail(format!("`{code}` has no address behind `#:`")))?)
-                }
-                _ => None,
-            };
-            listing.instructions.push(Instruction { line, decoded, control, address });
+            listing.instructions.push(Instruction { line: line as u32, operation, control });
         }
         for (at, label) in targets {
-            let line = listing.instructions[at].line;
-            let fail = |message: String| ListingError { program: program.to_owned(), line, message };
-            let &target = labels.get(label).ok_or_else(|| fail(format!("no label `{label}`")))?;
-            if target >= listing.instructions.len() {
-                return Err(fail(format!("nothing follows label `{label}`")));
+            let line = listing.instructions[at].line as usize;
+            let &to = labels.get(label).ok_or_else(|| fail(line, format!("no label `{label}`")))?;
+            if to >= listing.instructions.len() {
+                return Err(fail(line, format!("nothing follows label `{label}`")));
             }
-            match &mut listing.instructions[at].control {
-                Control::Jump(to) | Control::Branch(to, ..) => *to = target,
-                Control::Next | Control::End => {}
+            if let Control::Branch(_, target) = &mut listing.instructions[at].control {
+                *target = to;
             }
         }
+        let count = listing.instructions.len();
+        listing.start = labels.get("main").copied().unwrap_or(0);
+        if listing.start >= count {
+            return Err(fail(1, "there are no instructions behind `main:`".to_owned()));
+        }
+        for (at, instruction) in listing.instructions.iter().enumerate() {
+            let line = instruction.line as usize;
+            let next = listing.instructions.get(at + 1);
+            match instruction.control {
+                Control::Next | Control::Counter if next.is_none() && !listing.is_slot(at) => {
+                    return Err(fail(line, "the program goes on behind its last instruction".to_owned()));
+                }
+                Control::Branch(..) | Control::End
+                    if next.is_none_or(|next| next.control != Control::Next) =>
+                {
+                    let message =
+                        "the delay slot has to hold an instruction that is no branch and no ATOMIC_INC";
+                    return Err(fail(line, message.to_owned()));
+                }
+                Control::Branch(test, _) if test != Test::Always && at + 2 == count => {
+                    return Err(fail(line, "the program goes on behind its last instruction".to_owned()));
+                }
+                _ => {}
+            }
+        }
+        listing.lists = context.lists;
         Ok(listing)
     }
 
-    /// Joins loads of adjacent words into loads of up to `words` words, as a machine with wider loads would be programmed:
-    /// a load moves up to an earlier one if nothing between them uses its registers or can be jumped to.
-    pub fn widen_loads(&mut self, words: usize) {
-        let count = self.instructions.len();
-        let mut targets: Vec<bool> = (0..count).map(|at| self.entries.contains_key(&at)).collect();
-        for instruction in &self.instructions {
-            if let Control::Jump(to) | Control::Branch(to, ..) = instruction.control {
-                targets[to] = true;
+    /// Whether the instruction with index `at` is the delay slot of one before.
+    fn is_slot(&self, at: usize) -> bool {
+        let before = at.checked_sub(1).map(|before| self.instructions[before].control);
+        matches!(before, Some(Control::Branch(..) | Control::End))
+    }
+
+    /// Which instructions control can come to from elsewhere than the instruction before, by their indices.
+    #[must_use]
+    pub fn leaders(&self) -> Vec<bool> {
+        let mut leaders = vec![false; self.instructions.len() + 1];
+        leaders[self.start] = true;
+        for (at, instruction) in self.instructions.iter().enumerate() {
+            match instruction.control {
+                Control::Next => {}
+                Control::Counter => leaders[at + 1] = true,
+                Control::End => leaders[(at + 2).min(self.instructions.len())] = true,
+                Control::Branch(_, to) => {
+                    leaders[to] = true;
+                    leaders[(at + 2).min(self.instructions.len())] = true;
+                }
             }
         }
+        leaders
+    }
+
+    /// Joins loads of adjacent words into loads of up to `words` words, as a machine with wider loads would be programmed:
+    /// a load moves up to an earlier one if nothing between them uses its registers, stores, or can be jumped to.
+    pub fn widen_loads(&mut self, words: usize) {
+        let count = self.instructions.len();
+        let leaders = self.leaders();
+        let leaves = |at: usize, all: &[Instruction]| all[at].control != Control::Next;
         let mut joined = vec![false; count];
         for at in 0..count {
-            if joined[at] || self.instructions[at].decoded.place != Place::Load {
+            let first = self.instructions[at].operation;
+            let is_slot = self.is_slot(at);
+            if joined[at] || first.opcode != Opcode::Load || first.d == first.a || is_slot {
                 continue;
             }
-            let first = &self.instructions[at].decoded;
-            let changes_base = first.writes.iter().any(|register| first.reads.contains(register));
-            if changes_base || at > 0 && self.instructions[at - 1].control != Control::Next {
-                continue;
-            }
+            let mut loaded = vec![first.d];
             // Registers that instructions between have read or written.
             let mut used: Vec<Register> = vec![];
             for next in at + 1..count {
-                let wide = self.instructions[at].decoded.writes.len();
                 // A delay slot is as far as straight code goes.
-                let leaves = |at: usize| self.instructions[at].control != Control::Next;
-                if wide >= words || targets[next] || leaves(next) || leaves(next - 1) {
+                let all = &self.instructions;
+                if loaded.len() >= words || leaders[next] || leaves(next, all) || leaves(next - 1, all) {
                     break;
                 }
                 if joined[next] {
                     continue;
                 }
-                let (load, candidate) = (&self.instructions[at], &self.instructions[next]);
-                let base = &load.decoded.reads;
-                if candidate.adjoins(load) && !candidate.decoded.writes.iter().any(|r| used.contains(r)) {
-                    let written = candidate.decoded.writes.clone();
+                let operation = all[next].operation;
+                let adjoins = operation.opcode == Opcode::Load
+                    && operation.a == first.a
+                    && operation.offset() == first.offset() + loaded.len() as u32;
+                if adjoins && !used.contains(&operation.d) {
                     joined[next] = true;
-                    self.instructions[at].decoded.writes.extend(written);
+                    loaded.push(operation.d);
+                    if operation.d == first.a {
+                        break;
+                    }
                     continue;
                 }
-                if candidate.decoded.writes.iter().any(|register| base.contains(register)) {
+                let (reads, writes) = operation.accesses(&self.lists);
+                if writes.contains(&first.a) || operation.opcode == Opcode::Store {
                     break;
                 }
-                used.extend(candidate.decoded.reads.iter().chain(&candidate.decoded.writes));
+                used.extend(reads.iter().chain(&writes));
+            }
+            if loaded.len() > 1 {
+                let immediate = (self.lists.len() as i32) << 16 | first.offset() as i32;
+                self.lists.push(loaded);
+                self.instructions[at].operation = Operation { opcode: Opcode::LoadWords, immediate, ..first };
             }
         }
         self.remove(&joined);
@@ -190,47 +226,36 @@ impl Listing {
             kept += usize::from(!gone);
         }
         place.push(kept);
-        let all = std::mem::take(&mut self.instructions);
-        self.instructions = all
-            .into_iter()
-            .zip(gone)
-            .filter(|(_, gone)| !**gone)
-            .map(|(instruction, _)| instruction)
-            .collect();
+        let mut number = 0;
+        self.instructions.retain(|_| {
+            number += 1;
+            !gone[number - 1]
+        });
         for instruction in &mut self.instructions {
-            if let Control::Jump(to) | Control::Branch(to, ..) = &mut instruction.control {
+            if let Control::Branch(_, to) = &mut instruction.control {
                 *to = place[*to];
             }
         }
-        let entries = std::mem::take(&mut self.entries);
-        self.entries = entries.into_iter().map(|(at, name)| (place[at], name)).collect();
-    }
-
-    /// Index of the entry point `name`.
-    #[must_use]
-    pub fn entry(&self, name: &str) -> Option<usize> {
-        self.entries.iter().find(|(_, n)| n.as_str() == name).map(|(at, _)| *at)
+        self.start = place[self.start];
     }
 }
 
-impl Instruction {
-    /// Whether this load brings the word behind those that `load` brings.
-    fn adjoins(&self, load: &Self) -> bool {
-        let (Some((base, offset)), Some((other, next))) = (&load.address, &self.address) else {
-            return false;
-        };
-        self.decoded.place == Place::Load
-            && base == other
-            && offset + load.decoded.writes.len() as u32 == *next
-            && load.decoded.reads == self.decoded.reads
+/// The constants of a program: the words behind labels.
+fn constants<'a>(lines: &[(usize, &'a str)]) -> HashMap<&'a str, u32> {
+    let mut constants = HashMap::new();
+    for pair in lines.windows(2) {
+        let [(_, label), (_, value)] = pair else { continue };
+        let value = [".4byte", ".word"].iter().find_map(|directive| value.strip_prefix(directive));
+        if let (Some(label), Some(value)) = (label.strip_suffix(':'), value) {
+            let value = value.trim();
+            let value = match value.strip_prefix("0x") {
+                Some(digits) => u32::from_str_radix(digits, 16).ok(),
+                None => value.parse::<i64>().ok().map(|value| value as u32),
+            };
+            if let Some(value) = value {
+                constants.insert(label, value);
+            }
+        }
     }
-}
-
-/// `base` or `base+offset` of a note, with the instruction's own offset added.
-fn address(note: &str, offset: &str) -> Option<(String, u32)> {
-    let offset: u32 = offset.parse().ok()?;
-    match note.split_once('+') {
-        Some((base, more)) => Some((base.to_owned(), offset + more.parse::<u32>().ok()?)),
-        None => Some((note.to_owned(), offset)),
-    }
+    constants
 }

@@ -1,53 +1,56 @@
-//! Programs, prepared for the timing core.
+//! Programs: read from a listing, prepared for execution and for the timing core.
 //!
-//! A program is a listing whose branches are decided by *events*: what the golden traversal did, as a set of named
-//! conditions and addresses. From one entry point to the next, conditions determine the path, so each pair of entry point
-//! and conditions becomes one straight run of operations, a [`Run`]. The core executes runs; it never computes.
+//! A program is a listing as the compiler writes it. [`crate::execute`] executes it; the timing core executes the straight *runs*
+//! of instructions that this has gone through, and computes nothing.
 
 mod code;
-mod isa;
+mod decode;
+mod graph;
 mod listing;
-mod paths;
+mod liveness;
+mod operation;
+mod registers;
 mod run;
 mod scoreboard;
 
 pub use code::Code;
-pub use isa::Place;
+pub use decode::Test;
+pub use graph::{Branch, Edge, Graph, Node, NodeId};
 pub use listing::{Listing, ListingError};
+pub use operation::{Opcode, Operation, Place};
+pub use registers::{
+    CONDITION, FIRST_FLOAT, LANE_WORDS, REGISTERS, Register, SINK, STACK_POINTER, ZERO, name as register_name,
+};
 pub use run::{COUNTER, Kind, MicroOp, Operands, PIPELINE, POOLS, Run, RunId, UNLIMITED};
 pub use scoreboard::{BOARD_ENTRIES, BoardEntry};
 
 use super::description::MachineDescription;
-use code::Source;
-use listing::Control;
-use paths::{Entry, Paths};
+use code::{Source, new_addresses};
 
 /// Index of an entry point.
 pub type EntryId = u8;
 
-/// A set of conditions, one bit each, in the order of [`Program::conditions`].
-pub type Conditions = u32;
+/// The entry point at which every thread starts.
+pub const START: EntryId = 0;
 
 /// A program, prepared for a machine.
 #[derive(Clone, Debug)]
 pub struct Program {
     /// Name.
     pub name: String,
-    /// What it executes.
+    /// What the timing core executes.
     pub code: Code,
-    /// Names of addresses.
-    pub bases: Vec<String>,
-    /// Names of conditions.
-    pub conditions: Vec<String>,
-    entries: Vec<Entry>,
+    /// The paths through the operations.
+    pub graph: Graph,
+    /// The operations by their indices; `b` of an access to global memory is 1 if it gives its run a new address.
+    pub operations: Vec<Operation>,
+    /// Lists of registers of operations with many operands.
+    pub lists: Vec<Vec<Register>>,
+    /// The line of each operation in the listing.
+    pub lines: Vec<u32>,
+    /// Registers that are read from each entry point on before they are written.
+    pub read_first: Vec<Vec<Register>>,
 }
-
-/// The name of the entry point at which every thread starts.
-pub const START: &str = "start";
-/// The entry point behind every use of the shared counter.
-const ITEM: &str = "item";
-/// Most conditions of a program.
-const MAX_CONDITIONS: usize = 32;
 
 impl Program {
     /// Prepares the listing `text` for `machine`, whose pipeline takes so many cycles.
@@ -62,74 +65,42 @@ impl Program {
     ) -> Result<Self, ListingError> {
         let mut listing = Listing::parse(name, text)?;
         listing.widen_loads(machine.load_words() as usize);
-        // A thread learns which item it has got when the counter answers.
-        let after_counter: Vec<usize> = (listing.instructions.iter().enumerate())
-            .filter(|(_, i)| i.decoded.place == Place::Counter)
-            .map(|(at, _)| at + 1)
-            .collect();
-        for (number, at) in after_counter.into_iter().enumerate() {
-            listing.entries.insert(at, format!("{ITEM}{number}"));
-        }
-        let (mut bases, mut conditions) = (vec![], vec![]);
-        for instruction in &listing.instructions {
-            if let Some((base, _)) = &instruction.address {
-                intern(&mut bases, base);
-            }
-            if let Control::Branch(_, condition, _) = &instruction.control {
-                intern(&mut conditions, condition);
-            }
-        }
-        if conditions.len() > MAX_CONDITIONS {
-            let message = format!("{} conditions, more than {MAX_CONDITIONS}", conditions.len());
-            return Err(ListingError { program: name.to_owned(), line: 0, message });
-        }
-        let paths = Paths::new(name, &listing, &conditions);
-        let (mut entries, mut routes) = (vec![], vec![]);
-        for (&at, name) in &listing.entries {
-            entries.push(paths.entry(name, at, &mut routes)?);
-        }
+        let graph = Graph::new(name, &listing)?;
         let source = Source {
             listing: &listing,
             machine,
             pipeline_latency_cycles,
-            routes: &routes,
-            entries: entries.len(),
-            bases: &bases,
+            routes: &graph.routes,
+            entries: graph.entries.len(),
         };
-        Ok(Self { name: name.to_owned(), code: Code::new(&source), bases, conditions, entries })
-    }
-
-    /// The entry point `name`.
-    ///
-    /// # Panics
-    /// If there is none, which is a mistake in the program.
-    #[must_use]
-    pub fn entry(&self, name: &str) -> EntryId {
-        self.find_entry(name).unwrap_or_else(|| panic!("{} has no entry point `{name}`", self.name))
-    }
-
-    /// The entry point `name`, if there is one.
-    #[must_use]
-    pub fn find_entry(&self, name: &str) -> Option<EntryId> {
-        self.entries.iter().position(|entry| entry.name == name).map(|at| at as EntryId)
-    }
-
-    /// The bit of the condition `name`; 0 if the program does not ask for it.
-    #[must_use]
-    pub fn condition(&self, name: &str) -> Conditions {
-        self.conditions.iter().position(|condition| condition == name).map_or(0, |at| 1 << at)
-    }
-
-    /// The index of the address `name`, if the program uses it.
-    #[must_use]
-    pub fn base(&self, name: &str) -> Option<u8> {
-        self.bases.iter().position(|base| base == name).map(|at| at as u8)
-    }
-
-    /// The run from `entry` under `conditions`.
-    #[must_use]
-    pub fn run(&self, entry: EntryId, conditions: Conditions) -> RunId {
-        self.entries[usize::from(entry)].run(conditions)
+        let code = Code::new(&source).map_err(|at| ListingError {
+            program: name.to_owned(),
+            line: listing.instructions[at].line as usize,
+            message: "too many accesses to global memory without a loop".to_owned(),
+        })?;
+        let live = liveness::read_first(&listing);
+        let read_first = graph.entries.iter().map(|node| {
+            let live = live[graph.nodes[*node as usize].body.start as usize];
+            (0..REGISTERS as Register).filter(|register| live >> register & 1 == 1).collect()
+        });
+        let read_first = read_first.collect();
+        let is_new = new_addresses(&listing);
+        let operations = listing.instructions.iter().zip(is_new).map(|(instruction, is_new)| {
+            let operation = instruction.operation;
+            match operation.place() {
+                Place::Load | Place::Store => Operation { b: is_new.into(), ..operation },
+                _ => operation,
+            }
+        });
+        Ok(Self {
+            name: name.to_owned(),
+            code,
+            operations: operations.collect(),
+            lines: listing.instructions.iter().map(|instruction| instruction.line).collect(),
+            lists: listing.lists,
+            read_first,
+            graph,
+        })
     }
 
     /// The further operands of `op`.
@@ -150,11 +121,5 @@ impl Program {
     pub fn ops_of(&self, run: RunId) -> &[MicroOp] {
         let run = &self.code.runs[run as usize];
         &self.code.ops[run.first as usize..(run.first + run.length) as usize]
-    }
-}
-
-fn intern(names: &mut Vec<String>, name: &str) {
-    if !names.iter().any(|known| known == name) {
-        names.push(name.to_owned());
     }
 }

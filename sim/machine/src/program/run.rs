@@ -1,7 +1,7 @@
 //! Runs of operations, as the timing core executes them.
 
 use super::EntryId;
-use super::isa;
+use super::operation::Place;
 use super::scoreboard::BoardEntry;
 
 /// What the core has to do for an operation beyond waiting for its unit.
@@ -37,7 +37,7 @@ pub struct MicroOp {
     pub pool: u8,
     /// Cycles until the result can be used.
     pub latency: u8,
-    /// For memory operations, which of the event's addresses they are relative to.
+    /// For memory operations, which of the run's addresses they are relative to.
     pub base: u8,
     /// Words behind that address.
     pub offset: u16,
@@ -66,8 +66,8 @@ pub struct Run {
     pub first: u32,
     /// Number of operations.
     pub length: u32,
-    /// Names of the addresses that it needs, as indices of [`super::Program::bases`], in the order in which an event gives them.
-    pub bases: Vec<u8>,
+    /// Number of addresses that its operations are relative to, in the order in which executing it meets them.
+    pub addresses: u8,
     /// The entry point that follows; none at the end of the program.
     pub next: Option<EntryId>,
 }
@@ -83,8 +83,7 @@ pub const COUNTER: u8 = UNLIMITED + 2;
 
 /// The pool that an operation takes its unit from.
 #[must_use]
-pub fn pool_of(place: isa::Place) -> u8 {
-    use isa::Place;
+pub fn pool_of(place: Place) -> u8 {
     match place {
         Place::Unit(unit) => unit as u8,
         Place::Pipeline => PIPELINE,

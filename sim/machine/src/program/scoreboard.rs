@@ -7,7 +7,7 @@
 //! brings may come at any time, and also after its register was written again, until an operation has waited for it.
 
 use super::EntryId;
-use super::isa::{REGISTERS, Register, ZERO};
+use super::registers::{REGISTERS, Register, ZERO};
 
 /// Index of a register on the scoreboard.
 pub type BoardEntry = u8;

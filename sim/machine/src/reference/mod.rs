@@ -2,11 +2,11 @@
 
 mod runs;
 mod scene;
-mod traversal;
+mod work;
 
 pub use runs::{Compared, PRESET, ReferenceRun, ReferenceRuns, ValidatedRun, ValidationError};
 pub use scene::{RaySet, ReferenceError, ReferenceScene};
-pub use traversal::ReferenceWork;
+pub use work::ReferenceWork;
 
 /// The program of closest-hit sets.
 pub const CLOSEST: &str = include_str!("../../kernels/reference.s");

@@ -1,7 +1,7 @@
 //! The table of the reference runs, and the same runs by this machine.
 
 use super::scene::{RaySet, ReferenceError, ReferenceScene};
-use super::{ANY, CLOSEST, ReferenceWork, traversal::NoEvents};
+use super::{ANY, CLOSEST, ReferenceWork};
 use crate::core::{SimulationError, simulate};
 use crate::description::{DescriptionError, MachineDescription};
 use crate::program::{ListingError, Program};
@@ -9,6 +9,7 @@ use crate::results::Results;
 use cpu_time::ThreadTime;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The preset that the reference runs were made with.
 pub const PRESET: &str = "simtrax-reference";
@@ -241,18 +242,13 @@ impl ReferenceRuns {
         let scene = ReferenceScene::read(&self.folder, scene_name)?;
         let rays = RaySet::read(&self.folder, &run.set, place.ray_addr, place.out_addr)?;
         let program = Program::new("reference", if any { ANY } else { CLOSEST }, &machine, 1)?;
-        let work = ReferenceWork::new(&program, &scene, &rays, any);
-        let result_mismatches = (0..rays.rays.len() as u32)
-            .filter(|&ray| {
-                let (t, triangle) = work.trace(ray, &mut NoEvents);
-                let (expected_t, expected) = rays.hits[ray as usize];
-                triangle != expected || (expected >= 0 && t != expected_t)
-            })
-            .count() as u64;
+        let program = Arc::new(program);
         // Processor time: other work on the host does not count.
         let start = ThreadTime::now();
+        let work = ReferenceWork::new(Arc::clone(&program), &scene, &rays).map_err(SimulationError::from)?;
         let counts = simulate(&machine, &program, &work, |_| {})?;
         let seconds = start.elapsed().as_secs_f64();
+        let result_mismatches = work.mismatches();
         let results = Results::new(&machine, None, &program, &counts)?;
         Ok(compare(run, &results, result_mismatches, rays.rays.len() as u64, seconds))
     }

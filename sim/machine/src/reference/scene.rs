@@ -128,18 +128,17 @@ impl ReferenceScene {
         (self.words[at + 6] as i32, self.words[at + 7])
     }
 
-    /// Minimum and maximum of a node's box.
-    #[inline(always)]
-    pub fn bounds(&self, node: u32) -> [f32; 6] {
-        let at = (node * NODE_WORDS) as usize;
-        std::array::from_fn(|k| f32::from_bits(self.words[at + k]))
+    /// The words of nodes and of triangles.
+    #[must_use]
+    pub fn parts(&self) -> (&[u32], &[u32]) {
+        self.words.split_at((self.nodes * NODE_WORDS) as usize)
     }
 
-    /// The corners of the triangle at a word address.
-    #[inline(always)]
-    pub fn corners(&self, address: u32) -> [[f32; 3]; 3] {
-        let at = (self.nodes * NODE_WORDS + address - self.triangles_at) as usize;
-        std::array::from_fn(|i| std::array::from_fn(|k| f32::from_bits(self.words[at + 3 * i + k])))
+    /// The number of the triangle at a word address, if one begins there.
+    #[must_use]
+    pub fn triangle_at(&self, address: u32) -> Option<u32> {
+        let offset = address.checked_sub(self.triangles_at)?;
+        (offset % TRIANGLE_WORDS == 0).then_some(offset / TRIANGLE_WORDS)
     }
 }
 

@@ -163,7 +163,7 @@ impl<'a> Sweep<'a> {
         let Structure::Dst(dst) = &self.structure else { return Ok(None) };
         let narrow = NarrowDst::new(dst, precision);
         let options = RenderOptions { mode: precision.variant.mode(), ..self.options };
-        let frame = narrow_frame(machine, self.scene, &self.structure, &narrow, &options, |_| {})?;
+        let frame = narrow_frame(machine, self.scene, &narrow, &options, |_| {})?;
         Ok(Some(f64::from(frame.counts.cycles) / machine.description.clock_ghz / 1e6))
     }
 

@@ -4,8 +4,9 @@ use super::batches::Batches;
 use costs::Unit;
 use machine::core::{Counts, DramCounts, Tape, ThreadCycles, Work, accesses};
 use machine::description::MachineDescription;
+use machine::execute::Fault;
 use machine::frame::FrameWork;
-use machine::program::{EntryId, Kind, Place, Program, RunId, START};
+use machine::program::{Kind, Program};
 use machine::results::Instructions;
 use rayon::prelude::*;
 
@@ -43,10 +44,17 @@ impl Asked {
 }
 
 /// Records the batches `indices`, each on its own, on all of the host's threads.
-#[must_use]
-pub fn record(work: &FrameWork<'_>, batches: &Batches, indices: &[u32], line_words: u32) -> Vec<Asked> {
-    let program = &work.program;
-    let item = Ends::of(program).later;
+///
+/// # Errors
+/// What the program does wrong.
+pub fn record(
+    work: &FrameWork<'_>,
+    batches: &Batches,
+    indices: &[u32],
+    line_words: u32,
+) -> Result<Vec<Asked>, Box<Fault>> {
+    let program = &*work.program;
+    let later = work.later_entry();
     let lengths: Vec<u64> = program.code.runs.iter().map(|run| u64::from(run.length)).collect();
     let batch = |&index: &u32| {
         let mut asked = Asked {
@@ -58,9 +66,7 @@ pub fn record(work: &FrameWork<'_>, batches: &Batches, indices: &[u32], line_wor
         let mut before = 0;
         for pixel in batches.items_of(index) {
             words.clear();
-            let mut tape = Tape::new(program, item, &mut words, &mut asked.runs).not_timed();
-            tape.event(item, 0);
-            work.record(pixel, &mut tape);
+            work.record(pixel, later, &mut Tape::new(&mut words, &mut asked.runs).not_timed())?;
             let total: u64 = asked.runs.iter().zip(&lengths).map(|(times, length)| times * length).sum();
             asked.longest = asked.longest.max(total - before);
             before = total;
@@ -72,7 +78,7 @@ pub fn record(work: &FrameWork<'_>, batches: &Batches, indices: &[u32], line_wor
                 _ => asked.stores += 1,
             });
         }
-        asked
+        Ok(asked)
     };
     indices.par_iter().map(batch).collect()
 }
@@ -83,32 +89,35 @@ pub fn sum(batches: &[Asked]) -> Asked {
     batches.iter().fold(Asked::default(), Asked::merge)
 }
 
-/// The runs that every thread executes beside those of pixels, and the entries behind the counter: where a thread takes its
-/// first pixel, and where every later one.
-struct Ends {
-    start: RunId,
-    first: EntryId,
-    later: EntryId,
-}
+/// How often each run is executed by a thread beside its pixels, where these were all recorded as later ones: it starts, takes its
+/// first pixel from another place, and finds that there are no more.
+#[derive(Clone, Debug)]
+pub struct Ends(Vec<i64>);
 
 impl Ends {
-    fn of(program: &Program) -> Self {
-        let start = program.run(program.entry(START), 0);
-        let first = program.code.runs[start as usize].next.expect("a thread takes an item first");
-        let runs = 0..program.code.runs.len() as RunId;
-        let counts = |run: &RunId| *run != start && program.places_of(*run).contains(&Place::Counter);
-        let later = runs.filter(counts).find_map(|run| program.code.runs[run as usize].next);
-        Self { start, first, later: later.unwrap_or(first) }
+    /// Those of a thread of `work`.
+    ///
+    /// # Errors
+    /// What the program does wrong.
+    pub fn new(work: &FrameWork<'_>) -> Result<Self, Box<Fault>> {
+        let (first, later) = (work.first_entry(), work.later_entry());
+        let count = |record: &dyn Fn(&mut Tape<'_>) -> Result<(), Box<Fault>>| {
+            let mut counts = vec![0; work.program.code.runs.len()];
+            record(&mut Tape::new(&mut vec![], &mut counts).not_timed()).map(|()| counts)
+        };
+        let start = count(&|tape| work.start(tape))?;
+        let end = count(&|tape| work.record(work.items(), later, tape))?;
+        let [as_first, as_later] = [first, later].map(|entry| count(&|tape| work.execute(0, entry, tape)));
+        let (as_first, as_later) = (as_first?, as_later?);
+        let of = |run: usize| (start[run] + end[run] + as_first[run]) as i64 - as_later[run] as i64;
+        Ok(Self((0..start.len()).map(of).collect()))
     }
 
-    /// Adds them to the `runs` of pixels that were all recorded as later ones.
-    fn add(&self, program: &Program, threads: u64, runs: &mut [u64]) {
-        runs[self.start as usize] += threads;
-        runs[program.run(self.later, program.condition("no_more")) as usize] += threads;
-        let (first, later) = (program.run(self.first, 0), program.run(self.later, 0));
-        let moved = threads.min(runs[later as usize]);
-        runs[later as usize] -= moved;
-        runs[first as usize] += moved;
+    /// Adds those of `threads` threads to the `runs` of pixels.
+    fn add(&self, threads: u64, runs: &mut [u64]) {
+        for (run, times) in runs.iter_mut().zip(&self.0) {
+            *run = (*run as i64 + times * threads as i64).max(0) as u64;
+        }
     }
 }
 
@@ -123,10 +132,16 @@ pub struct Bound {
 
 /// The least that `machine` needs for what is `asked`, `scale` times.
 #[must_use]
-pub fn bound(machine: &MachineDescription, program: &Program, asked: &Asked, scale: f64) -> Bound {
+pub fn bound(
+    machine: &MachineDescription,
+    program: &Program,
+    ends: &Ends,
+    asked: &Asked,
+    scale: f64,
+) -> Bound {
     let threads = u64::from(machine.chip.tms() * machine.tm.threads);
     let mut runs: Vec<u64> = asked.runs.iter().map(|times| (*times as f64 * scale).round() as u64).collect();
-    Ends::of(program).add(program, threads, &mut runs);
+    ends.add(threads, &mut runs);
     let mut counts = Counts { runs, ..Counts::default() };
     let instructions = Instructions::new(program, &counts);
     let tms = f64::from(machine.chip.tms());

@@ -40,6 +40,7 @@ pub use sampled::{BIAS, Estimate, Sample, Subject};
 
 use machine::core::SimulationError;
 use machine::description::DescriptionError;
+use machine::execute::Fault;
 use machine::frame::FrameError;
 use serde::Serialize;
 use std::fmt;
@@ -125,6 +126,9 @@ pub enum FidelityError {
     /// The simulation does not end.
     #[error(transparent)]
     Simulation(#[from] SimulationError),
+    /// The program does something wrong.
+    #[error(transparent)]
+    Fault(#[from] Box<Fault>),
     /// The structure is decoded in software.
     #[error("{0} has no pipeline whose netlist could be executed; use the level transaction")]
     NoPipeline(&'static str),

@@ -165,10 +165,11 @@ impl<'a> Subject<'a> {
             None => (0..batches.count).collect(),
             Some(pairs) => batches.draw(pairs, sample.seed).indices().collect(),
         };
-        let asked = analytic::record(&work, &batches, &indices, machine.l2.line_words());
+        let asked = analytic::record(&work, &batches, &indices, machine.l2.line_words())?;
+        let ends = analytic::Ends::new(&work)?;
         let pixels: u32 = indices.iter().map(|index| batches.items_of(*index).len() as u32).sum();
         let scale = f64::from(batches.items) / f64::from(pixels);
-        let bound = analytic::bound(machine, &work.program, &analytic::sum(&asked), scale);
+        let bound = analytic::bound(machine, &work.program, &ends, &analytic::sum(&asked), scale);
         let results = self.results(&work.program, &bound.counts)?;
         let whole = indices.len() == batches.count as usize;
         let (mut frame_ms, mut energy_mj) =
@@ -189,7 +190,7 @@ impl<'a> Subject<'a> {
             frame_ms = Interval::around(frame_ms.value, half * frame_ms.value);
             energy_mj = Interval::around(energy_mj.value, half * energy_mj.value);
         }
-        let (_, totals) = work.finish();
+        let (_, totals) = work.finish()?;
         Ok(Estimate {
             level: Level::Analytic,
             batches: batches.count,
@@ -215,7 +216,7 @@ impl<'a> Subject<'a> {
             return Ok((batches, draw, plan));
         };
         let line_words = self.machine.description.l2.line_words();
-        let lifetimes = Lifetimes::new(&self.work(false)?, &batches, line_words);
+        let lifetimes = Lifetimes::new(&self.work(false)?, &batches, line_words)?;
         let batches = batches.with_end(lifetimes.end_batches);
         let draw = batches.draw(pairs, sample.seed);
         // Pixels that live long make the threads' mixture, which caches feel, take long to settle.
@@ -245,7 +246,7 @@ impl<'a> Subject<'a> {
             self.expanded(&work.program, &draw, &counts, &noted)?
         };
         let plain = self.plain(&work.program, &counts)?;
-        let (_, totals) = work.finish();
+        let (_, totals) = work.finish()?;
         let (counts, results, frame_ms, energy_mj) = estimated;
         Ok(Estimate {
             level,
@@ -354,9 +355,9 @@ struct Lifetimes {
 impl Lifetimes {
     /// Those of the frame's last batches. A pixel with so many times the mean's instructions takes the time of as many fills, if
     /// threads are equally fast.
-    fn new(work: &FrameWork<'_>, batches: &Batches, line_words: u32) -> Self {
+    fn new(work: &FrameWork<'_>, batches: &Batches, line_words: u32) -> Result<Self, FidelityError> {
         let looked_at: Vec<u32> = (0..batches.count).rev().take(MOST_END_BATCHES as usize).collect();
-        let asked = analytic::record(work, batches, &looked_at, line_words);
+        let asked = analytic::record(work, batches, &looked_at, line_words)?;
         let instructions = |runs: &[u64]| {
             let counts = Counts { runs: runs.to_vec(), ..Counts::default() };
             Instructions::new(&work.program, &counts).total as f64
@@ -366,9 +367,9 @@ impl Lifetimes {
         let fills = |asked: &analytic::Asked| asked.longest as f64 * pixels as f64 / all;
         let outlives = |(ahead, asked): &(usize, &analytic::Asked)| fills(asked) >= *ahead as f64;
         let ends = asked.iter().enumerate().filter(outlives).map(|(ahead, _)| ahead as u32 + 1);
-        Self {
+        Ok(Self {
             longest_fills: asked.iter().map(fills).sum::<f64>() / asked.len() as f64,
             end_batches: ends.max().unwrap_or(1),
-        }
+        })
     }
 }

@@ -246,7 +246,7 @@ impl Instance {
             Traced::Narrow(structure) => structure.closest_prepared(&prepared, &mut NoObserver),
             Traced::Netlist(dst) => STEP.with_borrow_mut(|hardware| {
                 closest_by_steps(dst, &prepared, &mut NoObserver, |words, ray, low, high| {
-                    hardware.step(words, ray, low, high)
+                    hardware.step(words, &ray.planes(), low, high)
                 })
             }),
             Traced::NarrowNetlist(dst, netlist) => {

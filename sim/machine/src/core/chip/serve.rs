@@ -4,7 +4,6 @@ use super::Chip;
 use crate::core::dram::{Read, Requester};
 use crate::core::outstanding::UNKNOWN;
 use crate::core::request::Request;
-use crate::core::work::Work;
 use crate::program::Kind;
 
 /// What becomes of a request.
@@ -17,7 +16,7 @@ enum Outcome {
     Full(u32),
 }
 
-impl<W: Work> Chip<'_, W> {
+impl Chip<'_> {
     /// Serves what multiprocessors have asked, cycle by cycle of the quantum that begins at `start`; if `wakes`, also reads for
     /// whose channel there is room again.
     pub(super) fn serve(&mut self, start: u32, wakes: bool) {

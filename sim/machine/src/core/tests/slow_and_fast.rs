@@ -1,7 +1,8 @@
 //! The core against the slow model, on random programs, work and machines.
 
+use super::walk::Walk;
 use super::{machine, slow};
-use crate::core::{Tape, Work, simulate};
+use crate::core::simulate;
 use crate::program::Program;
 use base::split_mix;
 
@@ -32,19 +33,20 @@ impl Choices {
             3 => "nop".to_owned(),
             4 => format!("FPMIN {x}, {y}, {z}"),
             5 => format!("c.olt.s {x}, {y}\nmovt {a}, {b}, $fcc0"),
-            6 => format!("STORE {a}, {b}, {word} #: data"),
-            7 => format!("STORE {x}, {b}, {} #: other", word % 4),
+            6 => format!("STORE {a}, {b}, {word}"),
+            7 => format!("STORE {x}, {b}, {}", word % 4),
             8 => {
-                format!("DSTSTEP {a}, {b}, {c}, {}, {a}, {}", floats[..4].join(", "), floats[4..6].join(", "))
+                let ray = floats[..9].join(", ");
+                let (outputs, planes) = (floats[..4].join(", "), floats[4..6].join(", "));
+                format!("DSTSTEP {a}, {b}, {c}, {outputs}, {a}, {planes}, {ray}")
             }
-            9 => format!("BOXTEST {a}, {x}, {b}, {}", floats[1..6].join(", ")),
+            9 => format!("BOXTEST {a}, {x}, {}, {}", floats.join(", "), floats[..6].join(", ")),
             10..=11 => {
-                let words: Vec<String> =
-                    (0..4).map(|i| format!("LOAD $f{i}, $8, {} #: data", word + i)).collect();
+                let words: Vec<String> = (0..4).map(|i| format!("LOAD $f{i}, $8, {}", word + i)).collect();
                 words.join("\n")
             }
-            12 => format!("LOAD {a}, $9, {} #: other", word % 4),
-            _ => format!("LOAD {x}, $8, {word} #: data"),
+            12 => format!("LOAD {a}, $9, {}", word % 4),
+            _ => format!("LOAD {x}, $8, {word}"),
         }
     }
 
@@ -57,9 +59,9 @@ impl Choices {
     fn listing(&mut self) -> String {
         let [a, b, c, d] = [(); 4].map(|()| self.block(8));
         format!(
-            "main: #: start\n ATOMIC_INC $2, 0\n beqz $2, $end #: no_more\n nop\n$body: #: body\n{a}\n\
-             beqz $3, $loop #: skips\n nop\n{b}\n$loop: #: loop\n{c}\n bnez $4, $loop #: again\n nop\n{d}\n\
-             ATOMIC_INC $2, 0\n bnez $2, $body #: !no_more\n nop\n$end:\n jr $ra\n nop\n"
+            "main:\n ATOMIC_INC $2, 0\n beqz $2, $end\n nop\n$body:\n{a}\n\
+             beqz $3, $loop\n nop\n{b}\n$loop:\n{c}\n bnez $4, $loop\n nop\n{d}\n\
+             ATOMIC_INC $2, 0\n bnez $2, $body\n nop\n$end:\n jr $ra\n nop\n"
         )
     }
 
@@ -103,39 +105,6 @@ impl Choices {
     }
 }
 
-/// Items that skip, go round and read as their numbers say.
-struct Random {
-    seed: u64,
-    items: u32,
-    /// Words that are read.
-    words: u64,
-}
-
-impl Work for Random {
-    fn items(&self) -> u32 {
-        self.items
-    }
-
-    fn record(&self, item: u32, tape: &mut Tape<'_>) {
-        let mut choices = Choices(split_mix::hash(self.seed ^ u64::from(item)));
-        let program = tape.program();
-        let mut address = |tape: &mut Tape<'_>| {
-            for name in ["data", "other"] {
-                if let Some(base) = program.base(name) {
-                    tape.address(base, 64 + choices.below(self.words) as u32);
-                }
-            }
-            choices.below(2) == 0
-        };
-        let skips = if address(tape) { program.condition("skips") } else { 0 };
-        tape.event(program.entry("body"), skips);
-        while address(tape) {
-            tape.event(program.entry("loop"), program.condition("again"));
-        }
-        tape.event(program.entry("loop"), 0);
-    }
-}
-
 #[test]
 fn the_core_counts_what_the_slow_model_counts() {
     let mut sums = [0; 8];
@@ -146,8 +115,12 @@ fn the_core_counts_what_the_slow_model_counts() {
         let machine = machine(&settings);
         let listing = choices.listing();
         let program = Program::new("random", &listing, &machine, choices.one_of(&[1, 3, 20])).unwrap();
-        let work =
-            Random { seed, items: choices.one_of(&[1, 40, 300]), words: choices.one_of(&[40, 600, 20_000]) };
+        let (items, words) = (choices.one_of(&[1, 40, 300]), choices.one_of(&[40, 600, 20_000]));
+        let decide = |item: u32, decision: u64| {
+            let random = split_mix::hash(seed ^ u64::from(item) << 32 ^ decision);
+            (random & 1 == 0, 64 + (random >> 32) as u32 % words)
+        };
+        let work = Walk { program: &program, items, decide };
         let fast = simulate(&machine, &program, &work, |_| {}).unwrap();
         let slow = slow::simulate(&machine, &program, &work);
         assert_eq!(format!("{fast:#?}"), format!("{slow:#?}"), "seed {seed}, {settings:?}\n{listing}");

@@ -12,7 +12,7 @@ use crate::core::dram::Dram;
 use crate::core::stats::CacheCounts;
 use crate::core::{Counts, Tape, Work};
 use crate::description::MachineDescription;
-use crate::program::{BoardEntry, Kind, Program, START, UNLIMITED};
+use crate::program::{BoardEntry, Kind, Program, UNLIMITED};
 use costs::Unit;
 use l1::UnderWay;
 use lines::Lines;
@@ -132,11 +132,10 @@ pub fn simulate<W: Work>(machine: &MachineDescription, program: &Program, work: 
         blocked: vec![],
         counts: Counts { runs: vec![0; program.code.runs.len()], ..Counts::default() },
     };
-    let start = program.entry(START);
     for tm in &mut slow.tms {
         for _ in 0..machine.tm.threads {
             let mut tape = vec![];
-            Tape::new(program, start, &mut tape, &mut slow.counts.runs).event(start, 0);
+            work.start(&mut Tape::new(&mut tape, &mut slow.counts.runs)).unwrap();
             let pc = program.code.runs[tape[0] as usize].first as usize;
             tm.threads.push(Thread {
                 state: State::Runs,
@@ -327,20 +326,15 @@ impl<W: Work> Slow<'_, W> {
         if thread.pc < (run.first + run.length) as usize {
             return;
         }
-        thread.at += 1 + run.bases.len();
+        thread.at += 1 + usize::from(run.addresses);
         if thread.at == thread.tape.len() {
             let Some(entry) = run.next else {
                 return thread.state = State::Halted;
             };
             thread.tape.clear();
             thread.at = 0;
-            let mut tape = Tape::new(program, entry, &mut thread.tape, &mut self.counts.runs);
-            if thread.item < self.work.items() {
-                tape.event(entry, 0);
-                self.work.record(thread.item, &mut tape);
-            } else {
-                tape.event(entry, program.condition("no_more"));
-            }
+            let mut tape = Tape::new(&mut thread.tape, &mut self.counts.runs);
+            self.work.record(thread.item, entry, &mut tape).unwrap();
         }
         thread.pc = program.code.runs[thread.tape[thread.at] as usize].first as usize;
     }

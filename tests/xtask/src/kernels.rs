@@ -1,0 +1,85 @@
+//! `cargo xtask kernels`: compiles the machine's programs.
+
+use crate::workspace::root;
+use anyhow::{Context, ensure};
+use lexopt::prelude::*;
+use std::fs;
+use std::process::Command;
+
+/// The folder of sources and listings.
+const FOLDER: &str = "sim/machine/kernels";
+/// Options of the compiler: MIPS32 with all 32 single-precision registers, no fused multiply-add, no `errno`.
+const OPTIONS: &str = include_str!("../../../sim/machine/kernels/clang.options");
+/// Listings with their sources and what is defined for each.
+const LISTINGS: [(&str, &str, &[&str]); 8] = [
+    ("dst", "frame.c", &["DST"]),
+    ("dst-sw", "frame.c", &["DST_SOFTWARE"]),
+    ("bvh2", "frame.c", &["BVH=2"]),
+    ("bvh2-parallel", "frame.c", &["BVH=2", "PARALLEL"]),
+    ("bvh-wide", "frame.c", &["BVH=4"]),
+    ("bvh-wide-parallel", "frame.c", &["BVH=4", "PARALLEL"]),
+    ("reference", "reference.c", &[]),
+    ("reference-any", "reference.c", &["ANY"]),
+];
+
+/// Reads what follows the command's name: whether listings are only compared.
+pub fn parse(mut arguments: lexopt::Parser) -> anyhow::Result<bool> {
+    let mut check = false;
+    while let Some(argument) = arguments.next()? {
+        match argument {
+            Long("check") => check = true,
+            other => return Err(other.unexpected().into()),
+        }
+    }
+    Ok(check)
+}
+
+/// Compiles all programs, and writes their listings or compares them with those that are there; whether none differs.
+pub fn run(check: bool) -> anyhow::Result<bool> {
+    let mut good = true;
+    for (name, source, defined) in LISTINGS {
+        let file = root().join(FOLDER).join(format!("{name}.s"));
+        let listing = compile(source, defined)?;
+        if !check {
+            fs::write(&file, listing).with_context(|| format!("{}: cannot write", file.display()))?;
+        } else if fs::read_to_string(&file).with_context(|| format!("{}: cannot read", file.display()))?
+            != listing
+        {
+            println!("{FOLDER}/{name}.s is not what {source} gives: run `cargo xtask kernels`");
+            good = false;
+        }
+    }
+    Ok(good)
+}
+
+fn compile(source: &str, defined: &[&str]) -> anyhow::Result<String> {
+    let clang = std::env::var_os("CLANG").unwrap_or_else(|| "clang-14".into());
+    let output = Command::new(&clang)
+        .current_dir(root().join(FOLDER))
+        .args(OPTIONS.split_whitespace())
+        .args(defined.iter().map(|name| format!("-D{name}")))
+        .args(["-o", "-", source])
+        .output()
+        .with_context(|| format!("{} does not start: install Debian's package clang-14", clang.display()))?;
+    ensure!(output.status.success(), "{source}: {}", String::from_utf8_lossy(&output.stderr));
+    Ok(tidy(&String::from_utf8(output.stdout).context("the compiler's output is no text")?))
+}
+
+/// The compiler's output without comments and without the directives that say nothing of the program.
+fn tidy(text: &str) -> String {
+    let mut tidied = String::new();
+    for line in text.lines() {
+        let code = line.split('#').next().unwrap_or_default().trim();
+        let says_nothing =
+            code.starts_with('.') && !code.starts_with(".4byte") || code.starts_with("$func_end");
+        if code.is_empty() || says_nothing {
+            continue;
+        }
+        if !code.ends_with(':') {
+            tidied.push_str("    ");
+        }
+        tidied.push_str(&code.replace('\t', " "));
+        tidied.push('\n');
+    }
+    tidied
+}
