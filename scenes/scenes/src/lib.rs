@@ -5,10 +5,11 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`obj`] | Wavefront OBJ files, plain or compressed with xz |
+//! | [`formats`] | files: OBJ, PLY, STL and glTF, plain or compressed with xz or gzip |
 //! | [`procedural`] | the built-in scenes |
 //!
-//! [`Scene::load`] takes the name of a built-in scene or the path of an OBJ file. [`MeshReport`] counts what may surprise in a mesh.
+//! [`Scene::load`] takes the name of a built-in scene or the path of a file. [`load`] also tells what it found: [`LoadReport`]
+//! counts what may surprise. A file `NAME.view.toml` beside a mesh `NAME.obj` holds its camera.
 //!
 //! ```
 //! use scenes::{Scene, obj};
@@ -25,14 +26,19 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod formats;
 mod frame;
 mod load;
 mod mesh;
-pub mod obj;
 pub mod procedural;
 mod report;
+mod view;
 
+pub use formats::polygons::PolygonCounts;
+pub use formats::report::{FileReport, Skip, Skipped};
+pub use formats::{Format, obj};
 pub use frame::frame;
-pub use load::SceneError;
+pub use load::{Loaded, SceneError, load};
 pub use mesh::{Bounds, Camera, MAX_COORDINATE, MAX_TRIANGLES, Mesh, PointLight, Scene};
-pub use report::MeshReport;
+pub use report::{LoadReport, MeshReport};
+pub use view::ViewError;

@@ -1,9 +1,38 @@
-//! Counts of triangles that a mesh keeps although they add nothing to a picture.
+//! What was found when a scene was loaded.
 
-use crate::mesh::Mesh;
+use crate::formats::report::FileReport;
+use crate::mesh::{Bounds, Mesh};
+
+/// What was found when a scene was loaded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadReport {
+    /// What the file holds besides triangles.
+    pub file: FileReport,
+    /// What its triangles are.
+    pub mesh: MeshReport,
+}
+
+impl LoadReport {
+    /// A line for each thing that a user may want to know of; none for a clean file.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        let mut notes = self.file.notes();
+        let MeshReport { degenerate, duplicates, .. } = self.mesh;
+        for (count, what) in
+            [(degenerate, "triangles have no area"), (duplicates, "triangles repeat earlier ones")]
+        {
+            if count > 0 {
+                notes.push(format!("{count} {what}"));
+            }
+        }
+        notes
+    }
+}
 
 /// What a mesh consists of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+///
+/// Triangles of zero area and repeated ones stay in the mesh, although they add nothing to a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshReport {
     /// All triangles.
     pub triangles: usize,
@@ -13,6 +42,8 @@ pub struct MeshReport {
     pub degenerate: usize,
     /// Triangles that have the same three corners as an earlier one, in any order.
     pub duplicates: usize,
+    /// The box around all triangles, if there is one.
+    pub bounds: Option<Bounds>,
 }
 
 impl MeshReport {
@@ -27,6 +58,7 @@ impl MeshReport {
             vertices: mesh.positions.len(),
             degenerate: (0..mesh.triangles.len()).filter(|&i| is_degenerate(mesh.corners(i))).count(),
             duplicates: count_duplicates(mesh),
+            bounds: mesh.bounds(),
         }
     }
 }
@@ -90,7 +122,8 @@ mod tests {
             [1, 2, 0], // and again
         ];
         let report = MeshReport::new(&Mesh { positions, triangles });
-        assert_eq!(report, MeshReport { triangles: 7, vertices: 6, degenerate: 3, duplicates: 3 });
+        let bounds = Some(Bounds { min: [0.0; 3], max: [3.0, 1.0, 0.0] });
+        assert_eq!(report, MeshReport { triangles: 7, vertices: 6, degenerate: 3, duplicates: 3, bounds });
     }
 
     #[test]

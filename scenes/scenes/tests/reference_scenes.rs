@@ -13,15 +13,16 @@ fn folder() -> Option<PathBuf> {
 #[test]
 fn counts_of_public_scenes() {
     let Some(folder) = folder() else { return };
-    // Name, triangles, triangles of zero area, duplicates.
+    // Name, triangles, triangles of zero area, duplicates, and the CRC-32 of all positions and indices, little-endian: a
+    // change of the last changes every result that was published for the scene.
     let expected = [
-        ("bunny", 69_451, 0, 0),
-        ("sibenik", 75_284, 9, 218),
-        ("sanmiguel_leaves", 241_608, 0, 0),
-        ("crytek_sponza", 279_163, 1, 70),
-        ("dragon", 871_414, 108, 0),
+        ("bunny", 69_451, 0, 0, 0x2b2a_1148),
+        ("sibenik", 75_284, 9, 218, 0xc2eb_f2e5),
+        ("sanmiguel_leaves", 241_608, 0, 0, 0x7ae2_91a7),
+        ("crytek_sponza", 279_163, 1, 70, 0x6ca6_4b90),
+        ("dragon", 871_414, 108, 0, 0x806d_0796),
     ];
-    for (name, triangles, degenerate, duplicates) in expected {
+    for (name, triangles, degenerate, duplicates, checksum) in expected {
         let start = Instant::now();
         let mesh = obj::load(folder.join(format!("{name}.obj.xz"))).unwrap();
         let load_ms = start.elapsed().as_millis();
@@ -35,6 +36,10 @@ fn counts_of_public_scenes() {
             (triangles, degenerate, duplicates),
             "{name}"
         );
+        let mut hasher = crc32fast::Hasher::new();
+        mesh.positions.iter().flatten().for_each(|x| hasher.update(&x.to_le_bytes()));
+        mesh.triangles.iter().flatten().for_each(|i| hasher.update(&i.to_le_bytes()));
+        assert_eq!(hasher.finalize(), checksum, "{name}");
     }
 }
 

@@ -6,7 +6,8 @@ use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::tree_file;
 use golden::triangle::Triangle;
-use scenes::Scene;
+use scenes::{Format, LoadReport, Loaded, Scene};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -17,8 +18,10 @@ const IRRADIANCE_AT_TARGET: f64 = 4.0;
 /// A scene by name.
 #[derive(Clone, Debug)]
 pub struct SceneSource {
-    /// A built-in scene or an OBJ file, which may be xz-compressed.
-    pub name: String,
+    /// A built-in scene, a file of geometry, or `-` for standard input.
+    pub name: OsString,
+    /// The format of the file; `None` to recognise it.
+    pub format: Option<Format>,
     /// Fraction of a built-in scene's full number of triangles, above 0 and at most 1.
     pub detail: f64,
     /// Seed of a built-in scene.
@@ -26,13 +29,19 @@ pub struct SceneSource {
 }
 
 impl SceneSource {
-    /// Loads or makes the scene.
+    /// Loads or makes the scene, and notes what may surprise in a file.
     ///
     /// # Errors
     /// There is no such scene or file, or the file holds no scene.
     pub fn load(&self, progress: &dyn Progress) -> anyhow::Result<Scene> {
-        let _part = Part::endless(progress, &format!("loading {}", self.name));
-        Ok(Scene::load(&self.name, self.detail, self.seed)?)
+        let name = self.name.display();
+        let part = Part::endless(progress, &format!("loading {name}"));
+        let Loaded { scene, report } = scenes::load(&self.name, self.format, self.detail, self.seed)?;
+        drop(part);
+        for note in report.iter().flat_map(LoadReport::notes) {
+            progress.note(&format!("{name}: {note}"));
+        }
+        Ok(scene)
     }
 }
 

@@ -2,11 +2,13 @@
 
 use crate::input::{Built, SceneSource, check_writable, display, quality_name};
 use crate::progress::{Part, Progress};
+use anyhow::Context;
 use golden::build::{BuildOptions, Quality};
 use golden::dst::build_for_dst;
 use golden::stats::TreeStatistics;
 use golden::structure::{Structure, StructureKind};
 use golden::tree_file;
+use scenes::{Bounds, MeshReport};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -60,10 +62,23 @@ pub struct Options {
 pub struct Trees {
     pub scene: String,
     pub triangles: usize,
+    pub bounds: Extent,
+    /// Triangles of zero area.
+    pub degenerate: usize,
+    /// Triangles that have the same corners as an earlier one.
+    pub duplicates: usize,
     pub quality: &'static str,
     pub structures: Vec<StructureRow>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub saved: Option<String>,
+}
+
+/// The box around all triangles.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Extent {
+    pub min: [f32; 3],
+    pub max: [f32; 3],
 }
 
 /// One structure over one scene.
@@ -143,6 +158,8 @@ pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Trees> 
         check_writable("--save", file, options.force)?;
     }
     let scene = options.scene.load(progress)?;
+    let MeshReport { bounds, degenerate, duplicates, .. } = MeshReport::new(&scene.mesh);
+    let Bounds { min, max } = bounds.context("the scene has no triangle")?;
     let quality = options.quality;
     let partition = Built::new(&scene, quality, progress)?;
     let mut structures = vec![];
@@ -166,6 +183,9 @@ pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Trees> 
     Ok(Trees {
         scene: scene.name,
         triangles: scene.mesh.triangles.len(),
+        bounds: Extent { min, max },
+        degenerate,
+        duplicates,
         quality: quality_name(quality),
         structures,
         saved: options.save.as_ref().map(|(_, file)| display(file)),

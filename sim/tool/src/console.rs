@@ -77,8 +77,9 @@ impl Progress for Bars {
 
     fn note(&self, line: &str) {
         match self.0.lock().expect("no bar panics").last() {
-            Some(bar) => bar.println(line),
-            None => eprintln!("{line}"),
+            // A hidden bar prints nothing.
+            Some(bar) if !bar.is_hidden() => bar.println(line),
+            _ => eprintln!("{line}"),
         }
     }
 

@@ -1,9 +1,10 @@
 //! The hardware: checks, Verilog, waveforms, area and energy.
 
-use super::shared::{DetailArgs, ModeArgs, QualityArgs};
+use super::shared::{LoadArgs, ModeArgs, QualityArgs};
 use super::values::{format, unit};
 use clap::Args;
 use pipelines::catalogue::{StandardFormat, Top};
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 #[derive(Args, Debug)]
@@ -54,11 +55,11 @@ pub struct WaveArgs {
     /// The unit or pipeline; single units show what they are given inside the dual-split pipeline.
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Top,
-    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
+    /// A built-in scene (see `dualsplit scenes`), a file (OBJ, PLY, STL or glTF), or - for standard input.
     #[arg(long)]
-    pub scene: String,
+    pub scene: OsString,
     #[command(flatten)]
-    pub detail: DetailArgs,
+    pub load: LoadArgs,
     /// Number of rays, from the camera towards vertices spread over the mesh.
     #[arg(long, default_value_t = 4, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub rays: u32,
@@ -80,12 +81,12 @@ pub struct EstimateArgs {
     /// Synthesise the exported Verilog with yosys and ABC too, for minutes, and print both.
     #[arg(long)]
     pub synth: bool,
-    /// The scene whose rays make the nets change: a built-in one or an OBJ file, which may be xz-compressed. May be given
+    /// The scene whose rays make the nets change: a built-in one or a file (OBJ, PLY, STL or glTF). May be given
     /// several times: the first is the one of all tables, the energy in the others is a table of its own.
     #[arg(long, default_value = "courtyard")]
-    pub scene: Vec<String>,
+    pub scene: Vec<OsString>,
     #[command(flatten)]
-    pub detail: DetailArgs,
+    pub load: LoadArgs,
     #[command(flatten)]
     pub quality: QualityArgs,
     /// A folder for the report as text, CSV, JSON and HTML; one that this command made before is written anew.

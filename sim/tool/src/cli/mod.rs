@@ -28,7 +28,7 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// List the built-in scenes, or write one to an OBJ file.
+    /// List the built-in scenes, or write one to a file.
     Scenes(ScenesArgs),
     /// Build all structures over a scene and print their sizes, costs and histograms; save one to a file.
     Tree(TreeArgs),

@@ -1,10 +1,14 @@
 //! What all or several commands take: a scene, a view, a structure, a machine.
 
-use super::values::{PipelineCostMethod, mode, pipeline_cost, quality, size, structure, vector};
+use super::values::{
+    PipelineCostMethod, mode, pipeline_cost, quality, scene_format, size, structure, vector,
+};
 use clap::Args;
 use golden::Mode;
 use golden::build::Quality;
 use golden::structure::StructureKind;
+use scenes::Format;
+use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 use studies::input::{SceneSource, StructureSource, View};
 
@@ -27,15 +31,38 @@ pub struct Global {
 /// Which geometry.
 #[derive(Args, Clone, Debug)]
 pub struct SceneArgs {
-    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
-    pub scene: String,
+    /// A built-in scene (see `dualsplit scenes`), a file (OBJ, PLY, STL or glTF, which xz or gzip may compress), or - for
+    /// standard input.
+    pub scene: OsString,
     #[command(flatten)]
-    pub detail: DetailArgs,
+    pub load: LoadArgs,
 }
 
 impl SceneArgs {
     pub fn source(&self, global: &Global) -> SceneSource {
-        self.detail.source(&self.scene, global)
+        self.load.source(&self.scene, global)
+    }
+}
+
+/// How a scene is loaded.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct LoadArgs {
+    #[command(flatten)]
+    pub detail: DetailArgs,
+    /// Format of a scene's file [default: as its content and name say].
+    #[arg(long, value_name = "FORMAT", value_parser = scene_format())]
+    pub format: Option<Format>,
+}
+
+impl LoadArgs {
+    /// The scene `name`, loaded like this.
+    pub fn source(self, name: &OsStr, global: &Global) -> SceneSource {
+        SceneSource {
+            name: name.to_owned(),
+            format: self.format,
+            detail: self.detail.detail,
+            seed: global.seed,
+        }
     }
 }
 
@@ -44,13 +71,6 @@ pub struct DetailArgs {
     /// Fraction of a built-in scene's full number of triangles, above 0 and at most 1.
     #[arg(long, default_value_t = 0.1, value_name = "FRACTION")]
     pub detail: f64,
-}
-
-impl DetailArgs {
-    /// The scene `name` in this detail.
-    pub fn source(self, name: &str, global: &Global) -> SceneSource {
-        SceneSource { name: name.to_owned(), detail: self.detail, seed: global.seed }
-    }
 }
 
 #[derive(Args, Clone, Copy, Debug)]
@@ -67,7 +87,7 @@ pub struct ModeArgs {
     pub mode: Mode,
 }
 
-/// Where from and under which light; by default the scene's own, for a file a view of all of it.
+/// Where from and under which light; by default the scene's own, for a file its view file or a view of all of it.
 #[derive(Args, Clone, Debug)]
 pub struct ViewArgs {
     /// Position of the camera.

@@ -1,6 +1,6 @@
 //! The machine, and what is charted, stressed and studied.
 
-use super::shared::{DetailArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
+use super::shared::{LoadArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
 use super::values::{factor, fraction, machine_structure, not_negative, one_of, size, structure, test};
 use clap::{Args, Subcommand};
 use golden::Mode;
@@ -8,6 +8,7 @@ use golden::precision::Variant;
 use golden::structure::StructureKind;
 use machine::frame::MachineStructure;
 use render::Test;
+use std::ffi::OsString;
 use std::path::PathBuf;
 use studies::simulate::Fidelity;
 use studies::stress::Method;
@@ -136,10 +137,11 @@ pub struct NeedsArgs {
 #[derive(Args, Debug)]
 #[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config"])))]
 pub struct SimulateArgs {
-    /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
-    pub scene: Option<String>,
+    /// A built-in scene (see `dualsplit scenes`), a file (OBJ, PLY, STL or glTF, which xz or gzip may compress), or - for
+    /// standard input.
+    pub scene: Option<OsString>,
     #[command(flatten)]
-    pub detail: DetailArgs,
+    pub load: LoadArgs,
     /// The structure, with its program and its pipeline: dst-sw decodes in software, + is parallel pipelines.
     #[arg(long, default_value = "dst", value_parser = machine_structure())]
     pub structure: MachineStructure,

@@ -14,7 +14,7 @@ pub struct ScenesArgs {
     /// The scene to write.
     #[arg(requires = "export")]
     pub name: Option<String>,
-    /// The OBJ file to write, xz-compressed if it ends in .xz.
+    /// The file to write: its name ends in .obj, .ply or .stl, and then in .xz or .gz if it is to be compressed.
     #[arg(long, value_name = "FILE", requires = "name")]
     pub export: Option<PathBuf>,
     #[command(flatten)]

@@ -8,6 +8,7 @@ use golden::structure::StructureKind;
 use machine::frame::MachineStructure;
 use pipelines::catalogue::{StandardFormat, Top};
 use render::Test;
+use scenes::Format;
 use studies::input::quality_name;
 use studies::trees::TreeKind;
 use view::picture::heatmap::Quantity;
@@ -73,6 +74,10 @@ impl PipelineCostMethod {
 pub fn pipeline_cost() -> impl TypedValueParser<Value = PipelineCostMethod> {
     use PipelineCostMethod::{Netlist, Published, Scaled};
     one_of([Published, Netlist, Scaled], PipelineCostMethod::name)
+}
+
+pub fn scene_format() -> impl TypedValueParser<Value = Format> {
+    one_of(Format::ALL, Format::name)
 }
 
 pub fn test() -> impl TypedValueParser<Value = Test> {

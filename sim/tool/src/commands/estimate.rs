@@ -8,7 +8,7 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         liberty: args.liberty.clone(),
         synthesis: args.synth,
-        scenes: args.scene.iter().map(|scene| args.detail.source(scene, global)).collect(),
+        scenes: args.scene.iter().map(|scene| args.load.source(scene, global)).collect(),
         quality: args.quality.quality,
         out: args.out.clone(),
         force: global.force,

@@ -2,6 +2,7 @@
 
 use crate::cli::{Global, ScenesArgs};
 use crate::console::{Bars, Report, table};
+use anyhow::Context;
 use scenes::procedural::{self, CATALOGUE};
 use serde::Serialize;
 use studies::input::{check_writable, display};
@@ -42,11 +43,12 @@ pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
         return Ok(Report::new(&document, text));
     };
     check_writable("--export", path, global.force)?;
+    scenes::formats::written_format(path).context("--export")?;
     let bars = Bars::default();
     let part = Part::endless(&bars, &format!("making {name}"));
     let detail = args.detail.detail;
     let scene = procedural::build(name, detail, global.seed)?;
-    scenes::obj::save(path, name, &scene.mesh, global.force)?;
+    scenes::formats::save(path, name, &scene.mesh, global.force)?;
     drop(part);
     let triangles = scene.mesh.triangles.len();
     document.scenes.retain(|entry| entry.name == name);

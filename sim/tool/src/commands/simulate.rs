@@ -13,7 +13,7 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     }
     let machine = MachineDescription::load(&args.machine.machine, &args.machine.settings)?;
     let scene = match &args.scene {
-        Some(scene) if !args.dump_config => args.detail.source(scene, global),
+        Some(scene) if !args.dump_config => args.load.source(scene, global),
         _ => return Ok(Report::new(&machine, machine.to_toml())),
     };
     let options = Options {

@@ -17,8 +17,14 @@ pub fn run(args: &TreeArgs, global: &Global) -> anyhow::Result<Report> {
 }
 
 fn text(trees: &Trees) -> String {
-    let Trees { scene, triangles, quality, structures, saved } = trees;
-    let mut text = format!("{scene}: {triangles} triangles, quality {quality}\n\n");
+    let Trees { scene, triangles, bounds, degenerate, duplicates, quality, structures, saved } = trees;
+    let corner = |p: [f32; 3]| p.map(|x| format!("{x:?}")).join(" ");
+    let mut text = format!(
+        "{scene}: {triangles} triangles, quality {quality}\n\
+         from {} to {}; {degenerate} triangles of no area, {duplicates} repeated\n\n",
+        corner(bounds.min),
+        corner(bounds.max)
+    );
     let header = [
         "structure",
         "nodes",

@@ -7,7 +7,7 @@ use studies::wave::{self, Options};
 pub fn run(args: &WaveArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         unit: args.unit,
-        scene: args.detail.source(&args.scene, global),
+        scene: args.load.source(&args.scene, global),
         rays: args.rays,
         mode: args.mode.mode,
         quality: args.quality.quality,

@@ -5,10 +5,13 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::MAX_COORDINATE;
+use crate::formats::SaveError;
+use crate::formats::error::Place;
 
+const XZ_MAGIC_BYTES: usize = 6;
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-fn parse(text: &str) -> Result<Mesh, ObjError> {
+fn parse(text: &str) -> Result<Mesh, FormatError> {
     read(text.as_bytes(), "test.obj")
 }
 
@@ -25,7 +28,7 @@ fn compressed(text: &[u8]) -> Vec<u8> {
 /// Asserts the line of the error, its kind by a part of its name, and that the message names the file.
 fn assert_rejected(bytes: &[u8], line: Option<u64>, kind: &str) {
     let error = read(bytes, "bad.obj").expect_err("the text is bad");
-    assert_eq!(error.line, line, "{error}");
+    assert_eq!(error.place, line.map_or(Place::File, Place::Line), "{error}");
     let name = format!("{:?}", error.kind);
     assert!(name.starts_with(kind), "{name} instead of {kind}");
     let message = error.to_string();
@@ -130,8 +133,7 @@ fn bad_vertices() {
 #[test]
 fn bad_faces() {
     let lines = [
-        ("f 1 2", "FaceLength(2)"),
-        ("f", "FaceLength(0)"),
+        ("f", "EmptyFace"),
         ("f 0 1 2", "ZeroIndex"),
         ("f 1 2 5", "IndexOutOfRange { index: 5, vertices: 4 }"),
         ("f 1 2 -5", "IndexOutOfRange { index: -5, vertices: 4 }"),
@@ -159,7 +161,8 @@ fn empty_and_foreign_files() {
     assert_rejected(b"", None, "NoTriangle");
     assert_rejected(SQUARE.as_bytes(), None, "NoTriangle");
     assert_rejected(format!("{SQUARE}l 1 2 3\n").as_bytes(), None, "NoTriangle");
-    assert_rejected(b"v 0 0 0\n\xff\xfe\x00\n", Some(2), "NotUtf8");
+    assert_rejected(b"v 0 0 0\n\xff\xfe\x00\n", Some(2), "NotText");
+    assert_rejected(b"\xff\xfev\x00 \x000\x00\n\x00", Some(1), "NotText");
 }
 
 #[test]
@@ -168,9 +171,9 @@ fn truncated_files() {
     assert_rejected(format!("{SQUARE}f 1 2 3\nf 1 2").as_bytes(), Some(6), "Truncated");
     assert_rejected(format!("{SQUARE}f 1 2 3\nv 1.0 2.0 -").as_bytes(), Some(6), "Truncated");
     let whole = compressed(format!("{SQUARE}f 1 2 3\n").as_bytes());
-    for length in XZ_MAGIC.len()..whole.len() {
+    for length in XZ_MAGIC_BYTES..whole.len() {
         let error = read(&whole[..length], "bad.obj").expect_err("the stream is cut");
-        assert!(matches!(error.kind, ObjErrorKind::Truncated(_)), "{length} bytes: {error}");
+        assert!(matches!(error.kind, FormatErrorKind::Truncated(_)), "{length} bytes: {error}");
     }
 }
 
@@ -178,7 +181,7 @@ fn truncated_files() {
 fn damaged_streams() {
     let text: String = (0..2000).map(|i| format!("v {} {} {}\n", i, i * 7 % 13, i * i % 101)).collect();
     let whole = compressed(format!("{text}f 1 2 3\n").as_bytes());
-    for position in (0..whole.len()).filter(|&position| position > XZ_MAGIC.len()).step_by(97) {
+    for position in (0..whole.len()).filter(|&position| position > XZ_MAGIC_BYTES).step_by(97) {
         let mut damaged = whole.clone();
         damaged[position] ^= 0x10;
         assert!(read(&damaged[..], "bad.obj").is_err(), "byte {position}");
@@ -188,10 +191,10 @@ fn damaged_streams() {
 #[test]
 fn missing_files() {
     let error = load("no/such/file.obj").unwrap_err();
-    assert!(matches!(error.kind, ObjErrorKind::Open(_)));
+    assert!(matches!(error.kind, FormatErrorKind::Open(_)));
     assert!(error.to_string().starts_with("no/such/file.obj: cannot open"), "{error}");
     let folder = tempfile::tempdir().unwrap();
-    assert!(matches!(load(folder.path()).unwrap_err().kind, ObjErrorKind::Read(_)));
+    assert!(matches!(load(folder.path()).unwrap_err().kind, FormatErrorKind::Read(_)));
 }
 
 #[test]
@@ -221,7 +224,10 @@ fn writing_is_exact_and_atomic() {
         assert_eq!(back.triangles, mesh.triangles);
         let bits = |m: &Mesh| m.positions.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&back), bits(&mesh));
-        assert!(matches!(save(&path, "", &mesh, false), Err(base::output::WriteError::Exists(_))));
+        assert!(matches!(
+            save(&path, "", &mesh, false),
+            Err(SaveError::Write(base::output::WriteError::Exists(_)))
+        ));
     }
 }
 
@@ -286,7 +292,7 @@ proptest! {
                 prop_assert!(mesh.triangles.iter().flatten().all(|&i| (i as usize) < mesh.positions.len()));
                 prop_assert!(mesh.positions.iter().flatten().all(|x| x.abs() <= MAX_COORDINATE));
             }
-            Err(error) => prop_assert!(!matches!(error.kind, ObjErrorKind::Rejected(_)), "{}", error),
+            Err(error) => prop_assert!(!matches!(error.kind, FormatErrorKind::Rejected(_)), "{}", error),
         }
     }
 
