@@ -110,7 +110,8 @@ impl Unit {
 }
 
 /// What a pipeline costs.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
 pub struct PipelineCost {
     /// Units and glue, without registers, clock and wires, in square micrometres.
     pub area_um2: f64,

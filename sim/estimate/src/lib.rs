@@ -35,7 +35,7 @@ pub use scaling::{Scaling, TARGET_NODE_NM, TARGET_VOLTAGE_V};
 pub use workload::{NodeType, Workload};
 
 use std::collections::BTreeMap;
-use std::sync::{Mutex, OnceLock};
+use std::sync::OnceLock;
 
 use costs::{Pipeline, PipelineCost, Unit};
 use gates::liberty::{Library, embedded};
@@ -88,11 +88,17 @@ pub fn pipeline_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateE
         return parallel_cost(top, method);
     }
     // Without a choice of library, the costs of a top are always the same: mapping and simulating it takes seconds.
-    static PUBLISHED: Mutex<BTreeMap<Top, PipelineCost>> = Mutex::new(BTreeMap::new());
-    let known = || PUBLISHED.lock().expect("no panic while it was held");
-    if let (Method::Published, Some(cost)) = (method, known().get(&top)) {
-        return Ok(cost.clone());
+    if let (Method::Published, Some(cost)) = (method, published::known(top)) {
+        return Ok(cost);
     }
+    compute(top, method)
+}
+
+/// [`pipeline_cost`] by mapping and measuring the netlist, for pipelines that are not parallel forms.
+///
+/// # Errors
+/// As [`pipeline_cost`].
+pub fn compute(top: Top, method: Method) -> Result<PipelineCost, EstimateError> {
     let workload = built_in()?;
     let library = match method {
         Method::Published => embedded_library(),
@@ -100,11 +106,7 @@ pub fn pipeline_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateE
     };
     let implementation = Implementation::new(top, library, gates::words::Structures::default())?;
     let (energy, _) = implementation.zero_delay_energy(&workload.streams(&implementation)?);
-    let cost = cost(&implementation, &energy, method)?;
-    if let Method::Published = method {
-        known().insert(top, cost.clone());
-    }
-    Ok(cost)
+    cost(&implementation, &energy, method)
 }
 
 /// The pipeline `top` in single precision as data: units and latency of the elaborated hardware, its cost by `method`.
