@@ -121,7 +121,7 @@ fn exhaustive_check() {
     assert_eq!(unit["mismatches"], 0);
     let state = work.path("check-e5m2-mul.json");
     assert!(!state.exists(), "the state is removed when all is done");
-    // What is left of an interrupted run is done, no more; a mismatch found before is not forgotten.
+    // A run continues at the first block that the interrupted run did not check, and keeps a mismatch that it found.
     let left = r#"{"format":"e5m2","operation":"mul","blocks":1279,"vectors":7,"mismatches":1,"first":"so"}"#;
     std::fs::write(&state, left).unwrap();
     let output = work.run("check --exhaustive e5m2 mul --json");

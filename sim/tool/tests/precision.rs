@@ -1,4 +1,4 @@
-//! The commands that look for the least precision: chart, stress and needs.
+//! Tests of the commands that search the least precision: chart, stress and needs.
 
 mod support;
 
@@ -48,10 +48,10 @@ fn chart_precision() {
         let svg = String::from_utf8(work.read(&format!("charts/{chart}.svg"))).unwrap();
         assert!(svg.contains("conservative, 8 exponent bits"), "{svg}");
     }
-    // Equal on any number of threads, and anew over its own files.
+    // The result does not depend on the number of threads, and the command replaces its own files.
     let again = work.json("chart precision scene.obj --size 24x24 --out charts --threads 1");
     assert_eq!(document, again);
-    // Those that visit too much are named instead.
+    // Formats with too many visits have no point, and the document names them.
     let few =
         work.json("chart precision scene.obj --size 24x24 --most-visits 1.01 --simulate false --out few");
     let most = 1.01 * document["reference_node_visits"].as_f64().unwrap();
@@ -103,7 +103,7 @@ fn chart_fidelity() {
     let auto = work.json(&format!("{simulate} --fidelity auto --tolerance 20%"));
     let steps = auto["fidelity"]["steps"].as_array().unwrap();
     assert!(steps.len() >= 2 && steps[0]["level"] == "analytic", "{steps:?}");
-    // Of six triangles the few lines that are read decide about a batch's energy: its interval is wide.
+    // With six triangles, a batch's energy depends on few lines, so the interval is wide.
     let text =
         String::from_utf8(work.run(&format!("{simulate} --fidelity auto --tolerance 80%")).stdout).unwrap();
     assert!(text.contains("is within 80.00 %"), "{text}");
@@ -169,7 +169,7 @@ fn needs() {
     assert!(document["significand_bits"].as_u64().unwrap() < 24);
     let toml = String::from_utf8(work.read("needs/needs.toml")).unwrap();
     assert!(toml.contains(&format!("significand_bits = {}", document["significand_bits"])), "{toml}");
-    // The machine and the export take what is proposed.
+    // The machine file and the export format that the command proposes are valid.
     let machine = work.json("simulate --dump-config --machine needs/machine.toml");
     assert_eq!(machine["name"], "scene-needs");
     let format = document["export_format"].as_str().unwrap();

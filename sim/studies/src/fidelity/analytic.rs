@@ -9,16 +9,16 @@ use machine::program::{EntryId, Kind, Place, Program, RunId, START};
 use machine::results::Instructions;
 use rayon::prelude::*;
 
-/// What some pixels ask of the machine.
+/// The work that some pixels ask of the machine.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
-    /// Times that each run is executed.
+    /// How many times each run is executed.
     pub runs: Vec<u64>,
-    /// Instructions of the pixel with the most.
+    /// Instructions of the longest pixel.
     pub longest: u64,
-    /// Lines that are read at least once, a bit each.
+    /// One bit for each line: whether the line is read.
     lines: Vec<u64>,
-    /// Words that are stored.
+    /// Number of words stored.
     pub stores: u64,
 }
 
@@ -35,14 +35,14 @@ impl Asked {
         self
     }
 
-    /// Different lines read.
+    /// Number of distinct lines read.
     #[must_use]
     pub fn distinct_lines(&self) -> u64 {
         self.lines.iter().map(|word| u64::from(word.count_ones())).sum()
     }
 }
 
-/// Records the batches `indices`, each on its own, on all of the host's threads.
+/// Records the batches `indices`, each by itself, on all threads of the host.
 #[must_use]
 pub fn record(work: &FrameWork<'_>, batches: &Batches, indices: &[u32], line_words: u32) -> Vec<Asked> {
     let program = &work.program;
@@ -83,8 +83,8 @@ pub fn sum(batches: &[Asked]) -> Asked {
     batches.iter().fold(Asked::default(), Asked::merge)
 }
 
-/// The runs that every thread executes beside those of pixels, and the entries behind the counter: where a thread takes its
-/// first pixel, and where every later one.
+/// The runs that every thread executes besides those of pixels, and the entries after the counter: the entry for a thread's
+/// first pixel, and the entry for each later one.
 struct Ends {
     start: RunId,
     first: EntryId,
@@ -101,7 +101,7 @@ impl Ends {
         Self { start, first, later: later.unwrap_or(first) }
     }
 
-    /// Adds them to the `runs` of pixels that were all recorded as later ones.
+    /// Adds the runs of `threads` threads to the `runs` of pixels, all of which were recorded as later pixels of a thread.
     fn add(&self, program: &Program, threads: u64, runs: &mut [u64]) {
         runs[self.start as usize] += threads;
         runs[program.run(self.later, program.condition("no_more")) as usize] += threads;
@@ -112,16 +112,16 @@ impl Ends {
     }
 }
 
-/// A lower bound with the resource that it is due to.
+/// A lower bound of the time, with the resource that sets it.
 #[derive(Clone, Debug)]
 pub struct Bound {
-    /// What would be counted in that time.
+    /// The counts of a frame that takes this time.
     pub counts: Counts,
-    /// The resource.
+    /// The resource that sets the bound.
     pub resource: String,
 }
 
-/// The least that `machine` needs for what is `asked`, `scale` times.
+/// The least time that `machine` needs for `scale` times the work `asked`.
 #[must_use]
 pub fn bound(machine: &MachineDescription, program: &Program, asked: &Asked, scale: f64) -> Bound {
     let threads = u64::from(machine.chip.tms() * machine.tm.threads);
@@ -130,7 +130,7 @@ pub fn bound(machine: &MachineDescription, program: &Program, asked: &Asked, sca
     let mut counts = Counts { runs, ..Counts::default() };
     let instructions = Instructions::new(program, &counts);
     let tms = f64::from(machine.chip.tms());
-    // What is read more than once need not come from memory again; a sample's lines are some of the frame's.
+    // A line comes from memory at least once. The lines that a sample reads are a subset of those that the frame reads.
     let lines = asked.distinct_lines();
     let icache = &machine.icache;
     let fetches = f64::from(icache.caches) * f64::from(icache.banks) * f64::from(icache.fetches_per_bank);

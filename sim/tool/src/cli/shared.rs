@@ -1,4 +1,4 @@
-//! What all or several commands take: a scene, a view, a structure, a machine.
+//! Arguments that all or several commands have: a scene, a view, a structure, a machine.
 
 use super::values::{PipelineCostMethod, mode, pipeline_cost, quality, size, structure, vector};
 use clap::Args;
@@ -24,7 +24,7 @@ pub struct Global {
     pub force: bool,
 }
 
-/// Which geometry.
+/// The scene.
 #[derive(Args, Clone, Debug)]
 pub struct SceneArgs {
     /// A built-in scene (see `dualsplit scenes`) or an OBJ file, which may be xz-compressed.
@@ -47,7 +47,7 @@ pub struct DetailArgs {
 }
 
 impl DetailArgs {
-    /// The scene `name` in this detail.
+    /// The scene `name` with this detail.
     pub fn source(self, name: &str, global: &Global) -> SceneSource {
         SceneSource { name: name.to_owned(), detail: self.detail, seed: global.seed }
     }
@@ -67,7 +67,7 @@ pub struct ModeArgs {
     pub mode: Mode,
 }
 
-/// Where from and under which light; by default the scene's own, for a file a view of all of it.
+/// Camera and light. The defaults are those of a built-in scene, or a view of the whole scene for a file.
 #[derive(Args, Clone, Debug)]
 pub struct ViewArgs {
     /// Position of the camera.
@@ -105,7 +105,7 @@ pub struct StructureArgs {
     pub structure: StructureKind,
     #[command(flatten)]
     pub quality: QualityArgs,
-    /// Load the structure from this file, which `dualsplit tree SCENE --save FILE` has written, instead of building it.
+    /// Load the structure from this file instead of building it; `dualsplit tree SCENE --save FILE` writes such files.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["structure", "quality"])]
     pub tree: Option<PathBuf>,
 }
@@ -124,8 +124,8 @@ pub struct MachineArgs {
     /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub settings: Vec<String>,
-    /// Area and energy of the pipelines: published unit costs on our counts with our glue; our netlist in the embedded library
-    /// (45 nm), or the same scaled to 65 nm.
+    /// Source of the pipelines' area and energy: published unit costs with our unit counts and glue; our netlist in the embedded
+    /// library (130 nm); or that netlist scaled to 65 nm.
     #[arg(long, default_value = "published", value_name = "METHOD", value_parser = pipeline_cost())]
     pub pipeline_cost: PipelineCostMethod,
 }
