@@ -273,3 +273,6 @@ fn within_box(ray: &TraversalRay, triangle: &Triangle, hit: TriangleHit, t_max: 
     let t = if t > exit { exit } else { t };
     (entry <= exit && ray.t_min <= t && t <= t_max).then_some(TriangleHit { t, ..hit })
 }
+
+#[cfg(test)]
+mod tests;
