@@ -129,7 +129,7 @@ fn render_trace_and_compare() {
     let different = work.run("compare dst-path.png dst-raycast.png --out difference.png --json");
     assert_eq!(different.status.code(), Some(1));
     let different: serde_json::Value = serde_json::from_slice(&different.stdout).unwrap();
-    assert!(different["differing_pixels"].as_u64().unwrap() > 100);
+    assert_eq!(different["differing_pixels"], 123);
     has_keys(&different, &["rmse", "psnr_db", "max_abs"]);
     assert!(work.path("difference.png").exists());
 
