@@ -219,6 +219,10 @@ mod tests {
         for exponent_bits in 0..10 {
             for significand_bits in 0..26 {
                 let Ok(format) = Format::new(exponent_bits, significand_bits) else { continue };
+                assert_eq!(
+                    (format.exponent_bits(), format.significand_bits()),
+                    (exponent_bits, significand_bits)
+                );
                 assert_eq!(format.to_string().parse(), Ok(format));
                 assert_eq!(format.systematic_name().parse(), Ok(format));
                 formats += 1;
@@ -237,6 +241,7 @@ mod tests {
         assert_eq!(format.min_normal(), f32::MIN_POSITIVE.to_bits());
         assert_eq!(format.canonical_nan(), crate::CANONICAL_NAN);
         assert_eq!(format.bias(), 127);
+        assert_eq!((format.exponent_bits(), format.significand_bits(), format.width()), (8, 24, 32));
     }
 
     #[test]

@@ -102,7 +102,7 @@ impl Unit {
         UnitCost { area_um2, energy_pj, latency_cycles }
     }
 
-    /// The unit that a module is, by the name of its kind in an elaborated inventory.
+    /// The unit of a module whose kind an elaborated inventory calls `kind`; `None` for modules that are no unit.
     #[must_use]
     pub fn of_module(kind: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|unit| unit.name() == kind)

@@ -1,4 +1,4 @@
-//! A quantity, divided among the parts of a pipeline.
+//! An area or an energy, divided among the parts of a pipeline.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ pub struct Breakdown {
     pub registers: f64,
     /// Clock gates. Their energy is that of a clock cycle without a change.
     pub clock: f64,
-    /// Nets of the inputs, which a driver outside pays for. They have no area.
+    /// Nets of the inputs, which a driver outside the pipeline charges. They have no area.
     pub inputs: f64,
 }
 
@@ -28,7 +28,7 @@ impl Breakdown {
         self.units.values().sum()
     }
 
-    /// Units and glue: what the published sums hold.
+    /// Units and glue: the parts that the published sums cover.
     #[must_use]
     pub fn logic(&self) -> f64 {
         self.all_units() + self.glue

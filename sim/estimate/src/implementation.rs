@@ -21,46 +21,48 @@ use gates::words::Structures;
 
 /// Cycles until a pipeline is filled.
 const FILL_CYCLES: usize = 10;
-/// Places in a stream that are simulated with glitches, and cycles counted at each.
+/// Places in a stream that are simulated with glitches.
 const GLITCH_WINDOWS: usize = 16;
+/// Cycles whose changes are counted at each place.
 const GLITCH_CYCLES: usize = 32;
 
 /// A pipeline in a library.
 #[derive(Debug)]
 pub struct Implementation<'l> {
-    /// Which pipeline.
+    /// The pipeline.
     pub top: Top,
-    /// Its modules.
+    /// The pipeline's modules.
     pub design: Design,
-    /// Its netlist of words.
+    /// The pipeline's netlist of words.
     pub flat: Flat,
-    /// Its gates, the units apart.
+    /// The gates of the netlist, with those of each unit kept apart.
     pub blasted: Blasted,
-    /// Its cells, buffered and sized.
+    /// The cells that the gates are mapped to, buffered and sized.
     pub mapped: Mapped,
-    /// Their timing.
+    /// The timing of the cells.
     pub timing: Timing,
     /// The library of the cells.
     pub library: &'l Library,
     units: Vec<Option<(ScopeId, Unit)>>,
 }
 
-/// Energy of an operation, back to back with others, in femtojoules.
+/// Energy of an operation in a stream without idle cycles, in femtojoules.
 #[derive(Clone, Debug, Serialize)]
 pub struct EnergyReport {
     /// Every net changes at most once a cycle.
     pub zero_delay: Breakdown,
     /// With glitches, on a sample; see [`glitch`].
     pub with_glitches: Breakdown,
-    /// Operations behind the first number.
+    /// Operations that `zero_delay` is the mean of.
     pub operations: u64,
-    /// Operations behind the second.
+    /// Operations that `with_glitches` is the mean of.
     pub glitch_operations: u64,
-    /// Standard error of the second number's total, as a fraction of it, by the scatter between places in the stream.
+    /// Standard error of the total with glitches, as a fraction of that total. It follows from the scatter between places in
+    /// the stream.
     pub glitch_error: f64,
 }
 
-/// A kind of module in the hierarchy, all its instances together, without what is inside them.
+/// All instances of one kind of module in the hierarchy, without the modules inside them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ModuleRow {
     /// The kind.
@@ -77,12 +79,12 @@ pub struct ModuleRow {
     pub register_area_um2: f64,
     /// Arrival time of the last output of these cells after the clock edge or the inputs.
     pub latest_ns: f64,
-    /// Most cells in a row, counted from registers and inputs.
+    /// The most cells on a path from a register or an input.
     pub levels: u32,
 }
 
 impl<'l> Implementation<'l> {
-    /// Maps a pipeline to a library, and makes it as fast as sizing can.
+    /// Maps a pipeline to a library, and sizes its cells for the shortest critical path.
     ///
     /// # Errors
     /// [`EstimateError`] for tops that are no pipeline, or when the library lacks a cell.
@@ -90,7 +92,7 @@ impl<'l> Implementation<'l> {
         Self::in_format(top, StandardFormat::Binary32, library, structures)
     }
 
-    /// As [`Implementation::new`], in any format that modules exist for.
+    /// Does what [`Implementation::new`] does, in any format that modules exist for.
     ///
     /// # Errors
     /// [`EstimateError`] for tops that are no pipeline, or when the library lacks a cell.
@@ -121,7 +123,7 @@ impl<'l> Implementation<'l> {
         Ok(Self { top, design, flat, blasted, mapped, timing, library, units })
     }
 
-    /// The unit that something belongs to; none for glue.
+    /// The unit that a gate of this origin belongs to; `None` for glue.
     fn unit(&self, origin: Origin) -> Option<Unit> {
         self.units[origin.scope as usize].map(|(_, unit)| unit)
     }
@@ -253,7 +255,7 @@ impl<'l> Implementation<'l> {
     }
 }
 
-/// Standard error of the mean of samples, as a fraction of it; 0 for fewer than two.
+/// Standard error of the mean of samples, as a fraction of the mean; 0 for fewer than two samples.
 fn relative_standard_error(samples: &[f64]) -> f64 {
     let count = samples.len() as f64;
     let mean = samples.iter().sum::<f64>() / count;

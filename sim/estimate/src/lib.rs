@@ -1,7 +1,7 @@
 //! Area and energy of the pipelines, each number with its source.
 //!
-//! There are three methods: published unit costs on our counts with our own glue logic; our netlist in a library; our netlist scaled
-//! to 65 nm. *Units* are the combinational gates of execution units. *Glue* is the logic around them: selection, offset and return
+//! There are three methods: published unit costs times our unit counts, with our own glue logic; our netlist in a library; our
+//! netlist scaled to 65 nm. *Units* are the combinational gates of execution units. *Glue* is the logic around them: selection, offset and return
 //! value. Registers, clock and input nets have rows of their own, because the published sums hold none of them.
 //!
 //! [`pipeline_cost`] gives the cost of a pipeline, [`Implementation`] a mapped netlist with its areas, delays and energies, and
@@ -15,7 +15,7 @@
 //! let paper = PaperFigures::of(Top::DualSplit)?;
 //! assert_eq!((paper.area_um2, paper.glue_area_um2.round()), (49_800.0, 5_086.0));
 //!
-//! // The embedded library is of 130 nm: at 65 nm, its areas shrink to 0.23 times.
+//! // The embedded library has a node of 130 nm: scaled to 65 nm, its areas shrink to 0.23 times.
 //! let scaling = Scaling::of(embedded_library()).expect("the node is known");
 //! assert_eq!((scaling.node_nm, scaling.area), (130, 0.23));
 //! # Ok::<(), estimate::EstimateError>(())
@@ -58,20 +58,20 @@ pub enum EstimateError {
     /// The scene cannot be loaded or built.
     #[error("{0}")]
     Scene(String),
-    /// The library's node is not one that the published equations have numbers for here.
+    /// The published scaling equations have no coefficients for the library's node.
     #[error(
-        "library {0} is of a node without scaling coefficients: 45, 130 and 180 nm have some; leave scaling out"
+        "library {0} has a node without scaling coefficients: use one of 45, 130 or 180 nm, or leave scaling out"
     )]
     Unscalable(String),
     /// Not a pipeline.
-    #[error("{0} is no pipeline: dual_split, dual_split_lean, ray_box and ray_box_lean are estimated")]
+    #[error("{0} has no estimate: name dual_split, dual_split_lean, ray_box or ray_box_lean")]
     NoPipeline(Top),
 }
 
 /// How a cost is found.
 #[derive(Clone, Copy, Debug)]
 pub enum Method<'l> {
-    /// Published unit costs on our counts, and our own glue, mapped to the embedded library and scaled to 65 nm.
+    /// Published unit costs times our unit counts, and our own glue, mapped to the embedded library and scaled to 65 nm.
     Published,
     /// Our netlist in a library: units and glue, without registers and clock.
     Netlist(&'l Library),
@@ -112,7 +112,7 @@ pub fn compute(top: Top, method: Method) -> Result<PipelineCost, EstimateError> 
 /// The pipeline `top` in single precision as data: units and latency of the elaborated hardware, its cost by `method`.
 ///
 /// # Errors
-/// As [`pipeline_cost`].
+/// The errors of [`pipeline_cost`].
 pub fn pipeline(top: Top, method: Method) -> Result<Pipeline, EstimateError> {
     let inventory = inventory(&top.design(StandardFormat::Binary32)?)?;
     let mut units = BTreeMap::new();
@@ -125,7 +125,7 @@ pub fn pipeline(top: Top, method: Method) -> Result<Pipeline, EstimateError> {
     Ok(Pipeline { name: top.name().to_owned(), units, latency_cycles, cost: pipeline_cost(top, method)? })
 }
 
-/// [`pipeline`] by the name of its module, as a machine asks for it.
+/// A function that returns the [`pipeline`] whose module has a given name, as a machine asks for it.
 ///
 /// # Panics
 /// The function panics if no pipeline has the name, or its hardware does not elaborate, which the hardware's own tests rule
@@ -137,7 +137,9 @@ pub fn by_name(method: Method<'_>) -> impl Fn(&str) -> Pipeline {
     }
 }
 
-/// The cost of a parallel form: that of one ray-box pipeline times the number that it has, by the adders of both.
+/// The cost of a parallel form: the cost of one ray-box pipeline times the number of such pipelines in the form.
+///
+/// The number of adders in the form, over that of one pipeline, gives the number of pipelines.
 fn parallel_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateError> {
     let adders = |top: Top| -> Result<f64, EstimateError> {
         Ok(inventory(&top.design(StandardFormat::Binary32)?)?.units["fp_add"].into())
@@ -153,7 +155,7 @@ fn parallel_cost(top: Top, method: Method) -> Result<PipelineCost, EstimateError
     })
 }
 
-/// [`pipeline_cost`] of what is already mapped and measured; `method`'s library has to be the implementation's.
+/// [`pipeline_cost`] of a pipeline that is already mapped and measured. The library of `method` has to be the implementation's.
 ///
 /// # Errors
 /// [`EstimateError::Unscalable`] where the library cannot be scaled.
@@ -190,7 +192,7 @@ pub fn cost(
     }
 }
 
-/// The library that needs no file, made once.
+/// The library that is part of the program. It is read once.
 pub fn embedded_library() -> &'static Library {
     static LIBRARY: OnceLock<Library> = OnceLock::new();
     LIBRARY.get_or_init(embedded)

@@ -23,7 +23,7 @@ pub struct PaperFigures {
 }
 
 impl PaperFigures {
-    /// The figures of the pipeline that `top` is, published or lean.
+    /// The figures of the pipeline `top`. A lean pipeline has those of the published one.
     ///
     /// # Errors
     /// [`EstimateError::NoPipeline`] for other tops.

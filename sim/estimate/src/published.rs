@@ -1,4 +1,4 @@
-//! Published unit costs on our counts, with our own glue logic beside them.
+//! Published unit costs times our unit counts, with our own glue logic beside them.
 
 use super::paper::units;
 use super::{Breakdown, EstimateError, Implementation, Scaling};

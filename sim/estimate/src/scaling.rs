@@ -7,9 +7,9 @@ use gates::liberty::Library;
 
 /// The technology of the published figures.
 pub const TARGET_NODE_NM: u32 = 65;
-/// The supply voltage assumed for it; the paper does not say which.
+/// The supply voltage assumed for the published figures; the paper does not state it.
 pub const TARGET_VOLTAGE_V: f64 = 1.1;
-/// Supply voltages that may have been meant: the ends of the energy's error bar.
+/// The lowest and the highest supply voltage that the paper may mean: the ends of the energy's error bar.
 const TARGET_VOLTAGES_V: [f64; 2] = [1.0, 1.2];
 /// The scaled areas of one netlist in three open libraries differ by this fraction either way.
 pub const AREA_ERROR: f64 = 0.3;

@@ -18,7 +18,7 @@ use serde::Serialize;
 
 use super::{EstimateError, Implementation};
 
-/// Width and height of the picture whose rays are taken, in pixels.
+/// Width and height in pixels of the picture whose rays the workload consists of.
 const PICTURE_SIZE: u32 = 12;
 /// Operations that a workload keeps for each pipeline.
 const OPERATIONS: usize = 64 * 250;
@@ -35,7 +35,7 @@ pub enum NodeType {
     SingleCarve,
     /// Two planes of two axes.
     DualCarve,
-    /// A leaf without carving parent.
+    /// A leaf without a carve node before it.
     Leaf,
 }
 
@@ -73,11 +73,11 @@ pub struct Workload {
     pub scene: String,
     /// Nodes of the dual-split tree, in the order of the rays.
     pub nodes: Vec<NodeCase>,
-    /// Boxes of the binary hierarchy, likewise, each tested with the whole of its ray.
+    /// Boxes of the binary hierarchy in the same order, each tested with the whole of its ray.
     pub boxes: Vec<BoxCase>,
 }
 
-/// Boxes that a traversal tests.
+/// Collects the boxes that a traversal tests.
 struct Boxes<'a> {
     bvh: &'a Bvh2,
     ray: &'a TraversalRay,
@@ -92,7 +92,7 @@ impl Observer for Boxes<'_> {
 }
 
 impl Workload {
-    /// The operations of path tracing a small picture of a scene, of a sample of rays that is spread evenly.
+    /// The operations of path tracing a small picture of a scene, for an evenly spread sample of its rays.
     ///
     /// # Errors
     /// [`EstimateError::Scene`] when no tree can be built over the scene, or no ray meets a node.
@@ -110,7 +110,8 @@ impl Workload {
             .collect();
         let boxes = RefCell::new(Vec::new());
         let mut nodes = Vec::new();
-        // The loop takes every ray of a sample that is spread over all waves, until there are enough operations.
+        // Each turn of the outer loop traces a sample of rays that is spread over all waves. Once there are enough
+        // operations, the remaining rays are skipped.
         let step = (rays.len() / 400).max(1);
         for first in 0..step {
             for ray in rays.iter().skip(first).step_by(step) {
@@ -134,7 +135,7 @@ impl Workload {
     /// The operations of a built-in scene.
     ///
     /// # Errors
-    /// The errors of [`Workload::new`]. A test shows that the built-in scene has none.
+    /// The errors of [`Workload::new`]. A test shows that the built-in scene causes none.
     pub fn built_in() -> Result<Self, EstimateError> {
         let (name, detail) = BUILT_IN;
         let scene = Scene::load(name, detail, 0).map_err(|error| EstimateError::Scene(error.to_string()))?;
@@ -144,7 +145,7 @@ impl Workload {
     /// The values of all inputs for each operation, back to back.
     ///
     /// # Errors
-    /// [`EstimateError::NoPipeline`] if there are no operations for it.
+    /// [`EstimateError::NoPipeline`] if the workload has no operations for the pipeline.
     pub fn streams(&self, implementation: &Implementation) -> Result<Vec<Vec<u128>>, EstimateError> {
         Ok(match implementation.top {
             Top::RayBox | Top::RayBoxLean => {
@@ -156,7 +157,7 @@ impl Workload {
         })
     }
 
-    /// Only the operations of some types of node.
+    /// The values of all inputs for each operation on a node of the `wanted` types, back to back.
     #[must_use]
     pub fn nodes_of(
         &self,

@@ -1,8 +1,8 @@
 //! Speed of the machine model in simulated rays per second: `cargo bench -p dualsplit-studies --bench machine`.
 //!
-//! Frames of a built-in scene in every structure beside the plain golden render of the same picture, whose ratio is the
-//! slow-down of the model; and, if `DUALSPLIT_DATA` names the folder, runs of the public simulator's table (`simulate
-//! --validate` prints all of them beside that simulator's speed).
+//! One benchmark simulates a frame of a built-in scene in every structure, and another renders the same picture by golden
+//! alone: the ratio of the two is the slow-down of the model. If `DUALSPLIT_DATA` names the folder, a third repeats runs of the
+//! public simulator's table (`simulate --validate` prints all of them beside that simulator's speed).
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -61,7 +61,7 @@ fn golden_frame(bencher: Bencher, of: MachineStructure) {
     bencher.counter(ItemsCount::new(rays(&structure))).bench_local(one);
 }
 
-/// The set `bunny_primary` of the public simulator's table on so many multiprocessors.
+/// The set `bunny_primary` of the public simulator's table on `tms` multiprocessors.
 #[divan::bench(args = [1, 4, 16], sample_count = 3)]
 fn reference_run(bencher: Bencher, tms: u32) {
     let Some(data) = std::env::var_os("DUALSPLIT_DATA").map(PathBuf::from) else {

@@ -1,9 +1,10 @@
-//! Vectors per second of the simulations of both pipelines, on the same vectors, in processor time.
+//! Vectors that each simulation of the two pipelines takes per second of processor time, on the same vectors.
 //!
 //! `cargo run --release -p dualsplit-studies --example logic_speed` builds Verilator's model of the exported Verilog with
 //! `-O3 -march=native` and no threads, and runs rust-hdl's `simulate` loop, Verilator, the interpreter and the compiled
-//! simulation in turns. The vectors are operations back to back; results are compared by the sums of all outputs. With
-//! two threads, each simulates a copy of its own, and the throughput is that of both by the processor time of either.
+//! simulation in turns. The vectors are operations back to back. The example compares results by the sums of all outputs.
+//! With two threads, each thread simulates its own copy; the throughput is the sum of the rates of both threads, each over the
+//! processor time of its own thread.
 
 use cpu_time::ThreadTime;
 use equivalence::Stimulus;
@@ -18,10 +19,10 @@ use pipelines::formats::binary32;
 
 /// Vectors in memory, run over and over.
 const VECTORS: usize = 4096;
-/// Turns of all simulations; the best of each counts.
+/// Turns of all simulations. The result is each simulation's best turn.
 const TURNS: usize = 5;
 
-/// The stream of a pipeline, without stalls and bubbles, and enough cycles behind it for the last result.
+/// The stream of a pipeline, without stalls and bubbles.
 fn vectors(top: Top, netlist: &Flat) -> Vec<Vec<u64>> {
     let mut stream: Vec<Vec<u64>> = Stimulus::new(top, StandardFormat::Binary32, netlist, 1)
         .take(VECTORS)
@@ -34,7 +35,7 @@ fn vectors(top: Top, netlist: &Flat) -> Vec<Vec<u64>> {
     stream
 }
 
-/// Sums of the outputs over one pass of the vectors, and seconds, with each lane a part of the stream.
+/// Sums of the outputs over `passes` passes of the vectors, and the seconds that these took. Each lane runs a part of the stream.
 fn compiled_pass(
     engine: &mut Compiled,
     frames: &[Vec<[u32; LANES]>],
@@ -52,7 +53,7 @@ fn compiled_pass(
             for (port, lanes) in program.inputs.iter().zip(&frames[cycle.min(cycles - 1)]) {
                 match port.slot {
                     Slot::Word(..) => *engine.words_mut(port.slot) = *lanes,
-                    // A bit of all lanes is kept in the first.
+                    // The first word of a one-bit port holds the bits of all lanes.
                     _ => *engine.bits_mut(port.slot) = lanes[0] as u16,
                 }
             }
@@ -81,7 +82,7 @@ fn compiled_pass(
     (sums.iter().zip(&bits).map(sum).collect(), seconds)
 }
 
-/// The stream cut into as many parts as there are lanes, side by side.
+/// The inputs of each cycle, with the stream cut into as many parts as there are lanes, one part a lane.
 fn frames(program: &Program, vectors: &[Vec<u64>]) -> Vec<Vec<[u32; LANES]>> {
     let cycles = vectors.len() / LANES;
     let frame = |cycle: usize| {
@@ -153,7 +154,7 @@ fn measure(top: Top, rust_hdl: fn(&[Vec<u64>]) -> f64) -> Result<(), Box<dyn std
         verilator = verilator.max(rate(VERILATOR_PASSES, run.seconds));
         let (sums, seconds) = compiled_pass(&mut Compiled::new(program), &frames, PASSES, latency);
         one = one.max(rate(PASSES, seconds));
-        // Both run whole passes over the same vectors, whose order does not matter to a sum.
+        // Both simulate the same vectors in different orders. Sums do not depend on the order.
         let single = model.run(&drained, 1, latency)?.sums;
         let (once, _) = compiled_pass(&mut Compiled::new(program), &frames, 1, latency);
         let single: Vec<u64> = single.iter().map(|sum| sum & u64::from(u32::MAX)).collect();

@@ -1,4 +1,4 @@
-//! A folder of results that a later run may write anew.
+//! A folder of results, which a later run may replace.
 
 use anyhow::{Context, bail};
 use base::output::write_file;
@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The list of the files in a folder that the tool made: those and no others may be replaced.
+/// The file that lists which files in its folder the tool made. The tool replaces those and no others.
 const LIST: &str = ".dualsplit-artifacts";
 
 /// A folder that is being filled.
@@ -20,7 +20,7 @@ pub struct Artifacts {
 }
 
 impl Artifacts {
-    /// Makes `folder`, or goes on in one that is empty or made by an earlier run; in any other only with `force`.
+    /// Makes `folder`. If it exists, it has to be empty or made by an earlier run, unless `force` is set.
     ///
     /// # Errors
     /// The folder holds files of others, or cannot be made.
@@ -47,10 +47,10 @@ impl Artifacts {
         Ok(Self { folder: folder.to_owned(), force, owned, written: vec![] })
     }
 
-    /// Writes the file `name`, a relative path with `/`. A file that the tool did not make is kept without `force`.
+    /// Writes the file `name`, a relative path with `/`. Only with `force` does it replace a file that the tool did not make.
     ///
     /// # Errors
-    /// The file is not the tool's, or cannot be written.
+    /// The tool did not make the file, or cannot write it.
     pub fn write(&mut self, name: &str, bytes: &[u8]) -> anyhow::Result<()> {
         let path = self.folder.join(name);
         if let Some(parent) = path.parent() {
@@ -64,7 +64,7 @@ impl Artifacts {
                 path.display()
             );
         }
-        // Listed before it is written, so that a run that is interrupted leaves nothing that the next one fears.
+        // The file is listed before it is written: if the run is interrupted, the next one may replace what it left.
         if self.owned.insert(name.to_owned()) {
             self.save_list()?;
         }
@@ -73,7 +73,7 @@ impl Artifacts {
         Ok(())
     }
 
-    /// Keeps the file `name`, which an earlier run has made, as one of this run; false if there is none.
+    /// Counts the file `name`, which an earlier run made, among the files of this run. Returns false if there is no such file.
     pub fn keep(&mut self, name: &str) -> bool {
         let kept = self.owned.contains(name) && self.folder.join(name).is_file();
         if kept && !self.written.iter().any(|written| written == name) {
@@ -82,15 +82,15 @@ impl Artifacts {
         kept
     }
 
-    /// Leaves the file `name` out of this run's, so that it is removed at the end.
+    /// Takes the file `name` from the list of this run's files, so that [`Artifacts::finish`] removes it.
     pub fn drop(&mut self, name: &str) {
         self.written.retain(|written| written != name);
     }
 
-    /// Removes what earlier runs made and this one did not, and returns the paths of this run's files in order.
+    /// Removes the files of earlier runs that this run did not write or keep, and returns the paths of this run's files in order.
     ///
     /// # Errors
-    /// A file cannot be removed, or the list not written.
+    /// A file cannot be removed, or the list cannot be written.
     pub fn finish(mut self) -> anyhow::Result<Vec<PathBuf>> {
         let current: BTreeSet<String> = self.written.iter().cloned().collect();
         for stale in self.owned.difference(&current) {
@@ -111,7 +111,7 @@ impl Artifacts {
     }
 }
 
-/// Whether a listed name stays inside the folder: the list is a file that anybody can edit.
+/// Whether a listed name stays inside the folder. Users can edit the list, so its names are not trusted.
 fn is_plain(name: &str) -> bool {
     Path::new(name).components().all(|part| matches!(part, std::path::Component::Normal(_)))
 }

@@ -1,4 +1,4 @@
-//! How two pictures differ.
+//! The differences between two pictures.
 
 use crate::input::{check_writable, display};
 use anyhow::{Context, ensure};
@@ -8,20 +8,20 @@ use std::path::PathBuf;
 use view::picture::difference::Difference;
 use view::picture::{self, Format, exr, heatmap, png};
 
-/// Which pictures.
+/// The two pictures, and the file for their difference.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// A `.png` or `.exr` file.
     pub a: PathBuf,
-    /// Another of the same format and size.
+    /// Another file of the same format and size.
     pub b: PathBuf,
-    /// Where the difference is written: `.png` as a heat map, `.exr` in numbers.
+    /// The file that the difference is written to: `.png` as a heat map, `.exr` in numbers.
     pub out: Option<PathBuf>,
-    /// Replace a file that exists.
+    /// Replaces `out` if it exists.
     pub force: bool,
 }
 
-/// How two pictures differ; infinite numbers are `null`.
+/// How two pictures differ. Infinite numbers become `null`.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Comparison {
@@ -34,7 +34,7 @@ pub struct Comparison {
     pub peak: f64,
     pub max_abs: f64,
     pub differing_pixels: u64,
-    /// Where the difference was written.
+    /// The file that the difference was written to.
     pub out: Option<String>,
     /// Whether no pixel differs.
     #[serde(skip)]

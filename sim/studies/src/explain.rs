@@ -1,4 +1,4 @@
-//! The traversal of one pixel's primary ray, step by step, in any structures.
+//! The traversal of one pixel's primary ray through one or more structures, step by step.
 
 use crate::input::{Built, SceneSource, View};
 use crate::progress::Progress;
@@ -12,22 +12,22 @@ use golden::{Hit, Mode, Ray, TraversalRay};
 use render::CameraRays;
 use serde::Serialize;
 
-/// Which ray of which scene.
+/// The scene, the pixel, and the structures that its ray is traced through.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Of what.
+    /// The scene.
     pub scene: SceneSource,
-    /// From where.
+    /// Camera and light.
     pub view: View,
     /// Width and height of the image in pixels.
     pub size: [u32; 2],
-    /// Column and row of the pixel, counted from the upper left corner, from 0.
+    /// Column and row of the pixel, counted from 0 at the upper left corner.
     pub pixel: [u32; 2],
     /// How plane distances are rounded.
     pub mode: Mode,
-    /// Of the trees.
+    /// How the trees are built.
     pub quality: Quality,
-    /// What is traced through, in this order; at least one.
+    /// The structures that the ray is traced through, in this order; at least one.
     pub structures: Vec<StructureKind>,
 }
 
@@ -52,11 +52,11 @@ pub struct RayRow {
     pub origin: [f32; 3],
     pub direction: [f32; 3],
     pub t_min: f32,
-    /// Absent where the ray has no end.
+    /// The ray's end; absent if the ray is unbounded.
     pub t_max: Option<f32>,
 }
 
-/// What it hits.
+/// The ray's nearest hit.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct HitRow {
@@ -66,7 +66,7 @@ pub struct HitRow {
     pub triangle: u32,
 }
 
-/// Its way through one structure.
+/// The ray's way through one structure.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Section {

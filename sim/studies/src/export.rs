@@ -1,4 +1,4 @@
-//! Verilog of the hardware with everything that another engineer needs to use it.
+//! The hardware as Verilog, with testbench, constraints and README for each module.
 
 use crate::artifacts::Artifacts;
 use crate::progress::{Part, Progress};
@@ -9,14 +9,14 @@ use netlist::{flatten, mask};
 use pipelines::catalogue::{StandardFormat, Top};
 use std::path::PathBuf;
 
-/// Which modules.
+/// Which modules are written, and where.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The folder that is written.
     pub out: PathBuf,
     /// The number format of the modules.
     pub format: StandardFormat,
-    /// The unit or pipeline; all that there are in the format if there is none.
+    /// The unit or pipeline that is written; if absent, all that exist in the format.
     pub unit: Option<Top>,
     /// Cycles in each testbench.
     pub vectors: u32,
@@ -24,11 +24,11 @@ pub struct Options {
     pub period_ns: f64,
     /// Seed of the stimulus.
     pub seed: u64,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
-/// Writes the modules, and returns the files.
+/// Writes the modules, and returns the paths of the files.
 ///
 /// # Errors
 /// The clock period is not positive, a unit does not exist in the format, or a file cannot be written.
@@ -42,7 +42,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Vec<PathBu
         Some(top) => vec![top],
         None => Top::ALL.iter().copied().filter(|top| top.formats().contains(&args.format)).collect(),
     };
-    // A unit that does not exist leaves no folder behind.
+    // The designs come first, so that a unit that does not exist leaves no folder behind.
     let designs = tops.iter().map(|top| top.design(args.format)).collect::<Result<Vec<_>, _>>()?;
     let mut artifacts = Artifacts::create(&args.out, args.force)?;
     let part = Part::begin(progress, tops.len() as u64, "writing Verilog");

@@ -1,4 +1,4 @@
-//! What the studies start from: scenes, trees, views, and names of files to write.
+//! The inputs of the studies: scenes, trees, views, and names of files to write.
 
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail, ensure};
@@ -12,10 +12,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Irradiance at the target of a light that was moved.
+/// Irradiance of a moved light at the view's target.
 const IRRADIANCE_AT_TARGET: f64 = 4.0;
 
-/// A scene by name.
+/// A scene that is named on the command line.
 #[derive(Clone, Debug)]
 pub struct SceneSource {
     /// A built-in scene, a file of geometry, or `-` for standard input.
@@ -54,11 +54,11 @@ pub fn quality_name(quality: Quality) -> &'static str {
     }
 }
 
-/// A binary hierarchy and all that is converted from it.
+/// A binary hierarchy, from which structures are converted.
 pub struct Built {
     /// The hierarchy.
     pub tree: BinaryTree,
-    /// Its triangles, in the order of its leaves.
+    /// The triangles in the order of the hierarchy's leaves.
     pub triangles: Arc<[Triangle]>,
     /// Milliseconds that building took.
     pub build_ms: f64,
@@ -68,7 +68,7 @@ impl Built {
     /// Builds the hierarchy over `scene`.
     ///
     /// # Errors
-    /// The builder's, with the name of the scene.
+    /// The errors of the builder, with the name of the scene.
     pub fn new(scene: &Scene, quality: Quality, progress: &dyn Progress) -> anyhow::Result<Self> {
         let _part = Part::endless(progress, &format!("building over {}", scene.name));
         Self::with(scene, || build(&scene.mesh, &BuildOptions::new(quality)))
@@ -77,7 +77,7 @@ impl Built {
     /// Takes the hierarchy over `scene` that `build` makes.
     ///
     /// # Errors
-    /// Those of `build`, with the name of the scene.
+    /// The errors of `build`, with the name of the scene.
     pub fn with(
         scene: &Scene,
         build: impl FnOnce() -> Result<BinaryTree, BuildError>,
@@ -89,7 +89,7 @@ impl Built {
         Ok(Self { tree, triangles, build_ms })
     }
 
-    /// Converts the hierarchy, and says how many milliseconds that took.
+    /// The hierarchy converted to a structure of `kind`, and the milliseconds that the conversion took.
     ///
     /// # Errors
     /// The structure cannot hold so many nodes or triangles.
@@ -103,11 +103,11 @@ impl Built {
 /// The structure that rays are traced through: built, or loaded from a file.
 #[derive(Clone, Debug)]
 pub struct StructureSource {
-    /// What is built.
+    /// The kind of structure that is built.
     pub kind: StructureKind,
-    /// How it is built.
+    /// How the structure is built.
     pub quality: Quality,
-    /// The file that it is loaded from instead.
+    /// The file that the structure is loaded from, instead of being built.
     pub file: Option<PathBuf>,
 }
 
@@ -128,7 +128,7 @@ impl StructureSource {
         Ok(structure)
     }
 
-    /// The preset that the structure is built with; none is known of one from a file.
+    /// The preset that the structure is built with; `None` for a structure from a file.
     pub fn quality_name(&self) -> Option<&'static str> {
         self.file.is_none().then(|| quality_name(self.quality))
     }
@@ -139,7 +139,7 @@ pub fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
 }
 
-/// Where from and under which light; what is not given stays the scene's own.
+/// Camera and light of a view. The scene's own value replaces each that is absent.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct View {
     /// Position of the camera.
@@ -177,15 +177,15 @@ impl View {
     }
 }
 
-/// `path` as result files name it; what is not Unicode in it is replaced.
+/// `path` as result files name it, with characters that are not Unicode replaced.
 pub fn display(path: &Path) -> String {
     path.display().to_string()
 }
 
-/// Refuses early what writing `path` would refuse after all the work: no folder, or a file that is to be kept.
+/// Checks before the work that `path` can be written after it: that its folder exists, and that it names no file to be kept.
 ///
 /// # Errors
-/// The refusal; `option` says in it what the path was given for.
+/// The path cannot be written. The message begins with `option`, which the path was given for.
 pub fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<()> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {

@@ -1,5 +1,5 @@
-//! What is found out with the crates of dualsplit. Each command of the tool is a function here: it takes plain options,
-//! tells [`progress`] how far it is, and returns a typed result. The tool parses arguments and prints.
+//! The studies behind the commands of the tool. Each command is a function here: it takes plain options, reports its
+//! [`progress`], and returns a typed result. The tool parses arguments and prints.
 //!
 //! | module | question |
 //! |---|---|

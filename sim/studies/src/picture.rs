@@ -1,4 +1,4 @@
-//! A scene rendered to a file: a picture, a heat map of the work that it takes, or all counters as layers.
+//! A scene rendered to a file: a picture, a heat map of the work that rendering takes, or all counters as layers.
 
 use crate::input::{SceneSource, StructureSource, View, check_writable, display};
 use crate::progress::{Part, Progress};
@@ -14,18 +14,18 @@ use std::time::Instant;
 use view::picture::heatmap::{self, Quantity};
 use view::picture::{Format, exr, max_radiance, png};
 
-/// What is rendered, and where it is written.
+/// The picture to render, and the files for picture and rays.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Of what.
+    /// The scene.
     pub scene: SceneSource,
-    /// Through what.
+    /// The structure that rays are traced through.
     pub structure: StructureSource,
-    /// Which rays.
+    /// The test: primary and shadow rays, or paths.
     pub test: Test,
     /// How plane distances are rounded.
     pub mode: Mode,
-    /// From where.
+    /// Camera and light.
     pub view: View,
     /// Width and height in pixels.
     pub size: [u32; 2],
@@ -35,19 +35,19 @@ pub struct Options {
     pub seed: u64,
     /// Brightness of a PNG in factors of two.
     pub exposure: f32,
-    /// Draw this quantity instead of the picture.
+    /// The quantity of a heat map, which is drawn instead of the picture.
     pub heatmap: Option<Quantity>,
-    /// Value at the end of the heat map's scale; without, the largest of the picture.
+    /// Value at the end of the heat map's scale; if absent, the largest value of the heat map.
     pub heatmap_max: Option<u32>,
-    /// The picture: `.png` (sRGB) or `.exr` (linear, with depth, normal, triangle and the counters as layers).
+    /// The file of the picture: `.png` (sRGB) or `.exr` (linear, with depth, normal, triangle and the counters as layers).
     pub out: PathBuf,
-    /// Where the traced rays are written.
+    /// The file that the traced rays are written to.
     pub rays: Option<PathBuf>,
-    /// Replace files that exist.
+    /// Replaces files that exist.
     pub force: bool,
 }
 
-/// A picture that was rendered.
+/// Facts about a rendered picture.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Picture {
@@ -56,7 +56,7 @@ pub struct Picture {
     pub structure: &'static str,
     pub test: &'static str,
     pub mode: &'static str,
-    /// Absent for a structure that was loaded.
+    /// How the structure was built; absent for a structure from a file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quality: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -68,10 +68,10 @@ pub struct Picture {
     pub rays: u64,
     pub hits: u64,
     pub seconds: f64,
-    /// The largest value of what is drawn, `max_of`: the heat map's quantity, or the radiance of a channel.
+    /// The largest value of the quantity that `max_of` names: that of the heat map, or the radiance of a channel.
     pub max: f64,
     pub max_of: &'static str,
-    /// The largest work of any pixel, if work was counted.
+    /// The largest counters of any pixel, if work was counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub maxima: Option<Maxima>,
     pub classes: Vec<ClassRow>,
@@ -80,7 +80,7 @@ pub struct Picture {
     pub rays_out: Option<String>,
 }
 
-/// Of any pixel.
+/// The largest counters of any pixel.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Maxima {
@@ -90,10 +90,10 @@ pub struct Maxima {
     pub stack_depth: u32,
 }
 
-/// Renders and writes.
+/// Renders the picture and writes it.
 ///
 /// # Errors
-/// The options contradict each other, the scene or the structure cannot be loaded, or a file not written.
+/// The options contradict each other, the scene or the structure cannot be loaded, or a file cannot be written.
 pub fn run(o: &Options, progress: &dyn Progress) -> anyhow::Result<Picture> {
     let format = Format::of(&o.out)?;
     ensure!(

@@ -1,27 +1,27 @@
-//! How far a long computation is, told to whoever shows it.
+//! Reports of the progress of a long computation.
 
-/// Is told how far a computation is. Parts may lie within parts; the one that began last is the one that goes on.
+/// Receives the reports of a computation. Parts may be nested: all reports refer to the part that began last and has not ended.
 pub trait Progress: Sync {
-    /// A part of `total` steps begins, or one of an unknown number of steps if that is 0.
+    /// Reports that a part of `total` steps begins. The number of steps is unknown if `total` is 0.
     fn begin(&self, total: u64, what: &str);
 
-    /// So many more steps are done.
+    /// Reports that `steps` more steps are done.
     fn advance(&self, steps: u64);
 
-    /// So many steps are done in all, some of them by an earlier run.
+    /// Reports that `steps` steps are done in all, some of them by an earlier run.
     fn at(&self, steps: u64);
 
-    /// What the next steps are about.
+    /// Reports the subject of the next steps.
     fn next(&self, what: &str);
 
-    /// Something that is worth a line of its own.
+    /// Reports a message, which gets a line of its own.
     fn note(&self, line: &str);
 
-    /// The part that began last has ended.
+    /// Reports that the part ends.
     fn end(&self);
 }
 
-/// Tells nobody.
+/// Ignores all reports.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 
@@ -34,7 +34,7 @@ impl Progress for Silent {
     fn end(&self) {}
 }
 
-/// A part of a computation, which ends when this is dropped.
+/// A part of a computation. The part ends when this value is dropped.
 pub struct Part<'a>(&'a dyn Progress);
 
 impl<'a> Part<'a> {
@@ -44,22 +44,22 @@ impl<'a> Part<'a> {
         Self(progress)
     }
 
-    /// Begins a part whose number of steps nobody knows.
+    /// Begins a part with an unknown number of steps.
     pub fn endless(progress: &'a dyn Progress, what: &str) -> Self {
         Self::begin(progress, 0, what)
     }
 
-    /// So many more steps are done.
+    /// Reports that `steps` more steps are done.
     pub fn advance(&self, steps: u64) {
         self.0.advance(steps);
     }
 
-    /// So many steps are done in all.
+    /// Reports that `steps` steps are done in all.
     pub fn at(&self, steps: u64) {
         self.0.at(steps);
     }
 
-    /// What the next steps are about.
+    /// Reports the subject of the next steps.
     pub fn next(&self, what: &str) {
         self.0.next(what);
     }

@@ -1,4 +1,4 @@
-//! What holds of the hardware for all inputs and states, by proof.
+//! Proofs that the hardware equals its references for all inputs and states.
 
 use crate::progress::{Part, Progress};
 use anyhow::Context;
@@ -9,23 +9,23 @@ use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
 
-/// What was proved.
+/// The results of all proofs.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Proofs {
     pub proofs: Vec<ProofRow>,
-    /// Why some are missing.
+    /// Why some proofs are missing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub skipped: Option<String>,
 }
 
-/// One theorem.
+/// The result of one proof.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct ProofRow {
     pub unit: &'static str,
     pub format: &'static str,
-    /// What the unit is proved equal to.
+    /// The circuit that the unit is compared with.
     pub reference: &'static str,
     /// `equal`, `differs` or `unknown`.
     pub verdict: &'static str,
@@ -36,7 +36,7 @@ pub struct ProofRow {
     pub seconds: f64,
 }
 
-/// What there are references for.
+/// The units and formats that have references.
 fn theorems() -> Vec<(Top, StandardFormat)> {
     let mut list = Vec::new();
     for top in [Top::DualSplit, Top::DualSplitLean, Top::RayBox, Top::RayBoxLean] {
@@ -51,10 +51,10 @@ fn theorems() -> Vec<(Top, StandardFormat)> {
     list
 }
 
-/// Proves everything of `unit`, or of all units.
+/// Proves all theorems about `unit`, or about all units.
 ///
 /// # Errors
-/// A unit cannot be elaborated, or its exported Verilog not be read.
+/// A unit cannot be elaborated, or its exported Verilog cannot be read.
 pub fn run(unit: Option<Top>, progress: &dyn Progress) -> anyhow::Result<Proofs> {
     let wanted = |top: Top| unit.is_none_or(|unit| unit == top);
     let mut proofs = Vec::new();
@@ -95,12 +95,12 @@ pub fn run(unit: Option<Top>, progress: &dyn Progress) -> anyhow::Result<Proofs>
 }
 
 enum Exported {
-    /// The tool is not there.
+    /// The elaborator is not installed.
     Missing(String),
     Failed(anyhow::Error),
 }
 
-/// The exported Verilog of a top, as another elaborator reads it, against our gates.
+/// The proof that the exported Verilog of a top, read by another elaborator, equals our gates.
 fn exported(top: Top, progress: &dyn Progress) -> Result<ProofRow, Exported> {
     let failed = |error: anyhow::Error| Exported::Failed(error);
     let format = StandardFormat::Binary32;
@@ -112,7 +112,7 @@ fn exported(top: Top, progress: &dyn Progress) -> Result<ProofRow, Exported> {
     let part = Part::endless(progress, &format!("reading the Verilog of {top}"));
     let result = compare(top, format, &folder);
     drop(part);
-    // What is left there is of no use to anybody.
+    // Files that cannot be removed do no harm: the proof is complete.
     let _ = std::fs::remove_dir_all(&folder);
     let proof = result?;
     Ok(row(top, format, "exported Verilog read by yosys, arrays free", 1, &proof, start))

@@ -1,4 +1,4 @@
-//! Frames and reference runs on the many-core machine.
+//! Simulations of frames, and of the reference runs, on the many-core machine.
 
 use crate::fidelity::auto::{Step, auto};
 use crate::fidelity::{Interval, Level, Sample, Subject};
@@ -19,17 +19,17 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// How closely a frame is simulated.
+/// How the level of a simulation is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fidelity {
-    /// At this level.
+    /// The level is given.
     Level(Level),
-    /// At the cheapest level and sample that are within the tolerance.
+    /// The cheapest level and sample within the tolerance are found.
     Auto,
 }
 
 impl Fidelity {
-    /// All of them.
+    /// All choices.
     pub const ALL: [Self; 4] =
         [Self::Level(Level::Analytic), Self::Level(Level::Transaction), Self::Level(Level::Rtl), Self::Auto];
 
@@ -42,18 +42,18 @@ impl Fidelity {
     }
 }
 
-/// Which frame, on what, and how closely.
+/// The frame, the machine, and the level of the simulation.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The scene, whose seed is also that of the samples.
     pub scene: SceneSource,
     /// The structure, with its program and its pipeline.
     pub structure: MachineStructure,
-    /// Which rays.
+    /// The test: primary and shadow rays, or paths.
     pub test: Test,
     /// How plane distances are rounded.
     pub mode: Mode,
-    /// Of the tree.
+    /// How the tree is built.
     pub quality: Quality,
     /// Width and height of the image in pixels.
     pub size: [u32; 2],
@@ -61,23 +61,23 @@ pub struct Options {
     pub machine: MachineDescription,
     /// How area and energy of the pipeline are found.
     pub pipeline_cost: Method<'static>,
-    /// How closely.
+    /// The level of the simulation.
     pub fidelity: Fidelity,
-    /// Time only this share of the frame and estimate the rest.
+    /// The share of the frame that is timed. The rest is estimated; if absent, the whole frame is timed.
     pub sample: Option<f64>,
-    /// For `auto`: greatest distance of the ends of the 95 % intervals of frame time and energy from their values, as a
-    /// fraction of them; without, 0.02.
+    /// For `auto`: how far the 95 % intervals of frame time and energy may reach to either side, as a fraction of the value; if
+    /// absent, 0.02.
     pub tolerance: Option<f64>,
-    /// Where the results are written as CSV.
+    /// The file that the results are written to as CSV.
     pub csv: Option<PathBuf>,
-    /// Replace a file that exists.
+    /// Replaces `csv` if it exists.
     pub force: bool,
 }
 
-/// What `auto` is within by default.
+/// The default tolerance of `auto`.
 const TOLERANCE: f64 = 0.02;
 
-/// A frame's results with what it is a frame of.
+/// The results of a frame, with its scene, machine and options.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Simulation {
@@ -90,7 +90,7 @@ pub struct Simulation {
     pub width: u32,
     pub height: u32,
     pub node_bytes: usize,
-    /// Of the pixels recorded: all of them, but for an analytic sample.
+    /// The rays of all pixels recorded. Only an analytic sample leaves pixels unrecorded.
     pub rays: u64,
     pub exact_triangle_tests: u64,
     pub triangle_tests: u64,
@@ -99,12 +99,12 @@ pub struct Simulation {
     pub results: Results,
     /// The results again, each with its unit and meaning.
     pub quantities: Vec<Quantity>,
-    /// Of the host; the only numbers here that differ from run to run.
+    /// Seconds of the host. Only this and `simulated_rays_per_second` differ from run to run.
     pub seconds: f64,
     pub simulated_rays_per_second: f64,
 }
 
-/// How closely the frame was simulated, and what that leaves open.
+/// The level and the sample of the simulation, and the intervals that follow from them.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct FidelityRow {
@@ -113,19 +113,19 @@ pub struct FidelityRow {
     pub batches: u32,
     pub batches_measured: u32,
     pub pixels_timed_share: f64,
-    /// Of 95 % confidence; of a point if nothing was left out.
+    /// The 95 % interval of the frame time; a point if no pixel was left out.
     pub frame_ms: Interval,
     pub energy_mj: Interval,
-    /// The resource that an analytic bound is due to.
+    /// The resource that sets an analytic bound.
     pub bound_by: Option<String>,
-    /// Pipeline operations that the netlist executed, and those whose result differed.
+    /// Number of pipeline operations that the netlist executed.
     pub rtl_operations: u64,
     pub rtl_differences: u64,
-    /// What `auto` did, the result last.
+    /// The estimates that `auto` made, the result last.
     pub steps: Vec<StepRow>,
 }
 
-/// A step of `auto`.
+/// One estimate of `auto`.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct StepRow {
@@ -162,11 +162,11 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     let machine = &args.machine;
     ensure!(
         args.fidelity == Fidelity::Auto || args.tolerance.is_none(),
-        "--tolerance: goes with --fidelity auto; a level with --sample says what its interval is"
+        "--tolerance needs --fidelity auto; a level with --sample reports its interval"
     );
     ensure!(
         args.fidelity != Fidelity::Auto || args.sample.is_none(),
-        "--sample: --fidelity auto draws its own samples; name a level"
+        "--sample does not go with --fidelity auto, which draws its own samples; name a level"
     );
     let set_up = FrameMachine::new(machine, args.structure, estimate::by_name(args.pipeline_cost))?;
     let scene = args.scene.load(progress)?;
@@ -232,14 +232,14 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     })
 }
 
-/// The reference runs beside ours.
+/// Our results for the reference runs, beside the published ones.
 #[derive(Debug, Serialize)]
 pub struct Validation {
-    /// All of them.
+    /// All runs.
     pub runs: Vec<ValidatedRun>,
 }
 
-/// Makes the reference runs of a folder, each on one thread.
+/// Repeats the reference runs of a folder on our machine, each on one thread.
 ///
 /// # Errors
 /// The folder cannot be read, or a run fails.
@@ -247,7 +247,7 @@ pub fn validate(folder: &Path, progress: &dyn Progress) -> anyhow::Result<Valida
     let reference = ReferenceRuns::read(folder)?;
     let part = Part::begin(progress, reference.runs.len() as u64, "validating");
     let one = |run| {
-        // Within a pool of one thread, large machines do not share out their multiprocessors.
+        // Within a pool of one thread, the simulation of a large machine stays on one thread.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
         let validated = pool.install(|| reference.validate(run))?;
         part.advance(1);

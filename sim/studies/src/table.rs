@@ -2,7 +2,7 @@
 
 use comfy_table::{CellAlignment, Table, presets};
 
-/// A Markdown table. Columns that hold numbers only, or nothing, are aligned to the right.
+/// A Markdown table. Columns whose cells are all numbers or empty are aligned to the right.
 pub fn table<const N: usize>(header: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
     let rows: Vec<[String; N]> = rows.into_iter().collect();
     let is_number =

@@ -1,4 +1,4 @@
-//! A saved ray stream, traced for closest hits.
+//! Traces a saved stream of rays for closest hits.
 
 use crate::input::{SceneSource, StructureSource, check_writable, display};
 use crate::progress::{Part, Progress};
@@ -13,24 +13,24 @@ use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// What is traced, and where the hits are written.
+/// The rays, the scene, and the file for the hits.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// In what.
+    /// The scene.
     pub scene: SceneSource,
-    /// Through what.
+    /// The structure that rays are traced through.
     pub structure: StructureSource,
-    /// The rays, a DSTRAYS1 file.
+    /// The file of the rays, in the format DSTRAYS1.
     pub rays: PathBuf,
     /// How plane distances are rounded.
     pub mode: Mode,
-    /// Where the hits are written, as a DSTHITS1 file.
+    /// The file that the hits are written to, in the format DSTHITS1.
     pub out: Option<PathBuf>,
-    /// Replace a file that exists.
+    /// Replaces `out` if it exists.
     pub force: bool,
 }
 
-/// What was traced and found.
+/// The results of tracing the rays.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Traced {
@@ -38,7 +38,7 @@ pub struct Traced {
     pub triangles: usize,
     pub structure: &'static str,
     pub mode: &'static str,
-    /// Absent for a structure that was loaded.
+    /// How the structure was built; absent for a structure from a file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quality: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -58,10 +58,10 @@ pub struct Traced {
     pub out: Option<String>,
 }
 
-/// Traces all rays twice: for their hits and the time, and once more to count the work.
+/// Traces all rays for their hits, which is timed, and then once more to count the work.
 ///
 /// # Errors
-/// The rays, the scene or the structure cannot be loaded, or the hits not written.
+/// The rays, the scene or the structure cannot be loaded, or the hits cannot be written.
 pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Traced> {
     if let Some(out) = &options.out {
         check_writable("--out", out, options.force)?;
@@ -111,7 +111,7 @@ fn closest(structure: &Structure, rays: &[Ray], mode: Mode) -> Vec<Option<FileHi
     rays.par_iter().with_min_len(1024).map(hit).collect()
 }
 
-/// What the rays of each class find and cost.
+/// The hits and the work of the rays of each class.
 fn classes(
     structure: &Structure,
     stream: &RayStream,
@@ -126,7 +126,7 @@ fn classes(
             .is_some();
         ClassTotals { rays: 1, hits: u64::from(hit), counters }
     };
-    // Sums and maxima of integers: the order does not matter.
+    // Sums and maxima of integers do not depend on the order.
     let merged = |mut a: ClassTotals, b: ClassTotals| {
         a.merge(&b);
         a

@@ -1,4 +1,4 @@
-//! Sizes, costs and histograms of all structures over a scene; one can be saved.
+//! Sizes, costs and histograms of all structures over a scene. One of the structures can be saved.
 
 use crate::input::{Built, SceneSource, check_writable, display, quality_name};
 use crate::progress::{Part, Progress};
@@ -13,17 +13,17 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::path::PathBuf;
 
-/// Which tree.
+/// The kind of a tree, by how it is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TreeKind {
-    /// Converted from the one binary hierarchy.
+    /// A structure converted from the binary hierarchy, which all such trees have in common.
     Converted(StructureKind),
-    /// The dual-split tree of a partition that is made for it.
+    /// The dual-split tree of a partition that is optimized for dual-split trees.
     DstScratch,
 }
 
 impl TreeKind {
-    /// All of them, in the order of tables.
+    /// All kinds, in the order in which tables have them.
     pub const ALL: [Self; StructureKind::ALL.len() + 1] = {
         let mut all = [Self::DstScratch; StructureKind::ALL.len() + 1];
         let mut i = 0;
@@ -43,16 +43,16 @@ impl TreeKind {
     }
 }
 
-/// What is built.
+/// The scene, how its trees are built, and which tree is saved.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Over what.
+    /// The scene.
     pub scene: SceneSource,
-    /// How.
+    /// How the trees are built.
     pub quality: Quality,
-    /// One tree and the file that it is saved to.
+    /// The kind of a tree, and the file that it is saved to.
     pub save: Option<(TreeKind, PathBuf)>,
-    /// Replace a file that exists.
+    /// Replaces a file that exists.
     pub force: bool,
 }
 
@@ -93,12 +93,12 @@ pub struct StructureRow {
     pub sah_cost: f64,
     pub expected_node_visits: f64,
     pub expected_triangle_tests: f64,
-    /// The sum of the two.
+    /// The sum of `expected_node_visits` and `expected_triangle_tests`.
     pub own_cost: f64,
     pub max_depth: u32,
     pub build_ms: f64,
     pub convert_ms: f64,
-    /// Absent for structures without carve nodes, as are the histogram and counts of carves.
+    /// Absent for structures without carve nodes, as are the histogram and the counts of carve nodes.
     pub carve_nodes_per_split: Option<f64>,
     pub single_carves: Option<u64>,
     pub dual_carves: Option<u64>,
@@ -134,7 +134,7 @@ impl StructureRow {
     }
 }
 
-/// Converts `built` to every structure and describes it.
+/// Converts `built` to every structure, and returns a description of each.
 ///
 /// # Errors
 /// A structure cannot hold so many nodes or triangles.
@@ -152,7 +152,7 @@ fn converted(built: &Built, kind: StructureKind) -> anyhow::Result<(Structure, S
 /// Builds and describes all trees.
 ///
 /// # Errors
-/// The scene cannot be loaded, a tree not built, or the file not written.
+/// The scene cannot be loaded, a tree cannot be built, or the file cannot be written.
 pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Trees> {
     if let Some((_, file)) = &options.save {
         check_writable("--save", file, options.force)?;

@@ -1,4 +1,4 @@
-//! The traversal of one ray step by step: its events, in words.
+//! The traversal of one ray as a list of steps.
 
 use golden::bvh::box_step;
 use golden::structure::{NodeWords, Structure};
@@ -6,7 +6,7 @@ use golden::traverse::{Node, Observer, Outcome, Part, Target, Trace};
 use golden::{Hit, TraversalRay};
 use serde::Serialize;
 
-/// What happens; distances are along the ray's scaled direction.
+/// An event of a traversal. Distances are along the ray's scaled direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "step", rename_all = "snake_case")]
 pub enum Step {
@@ -19,7 +19,7 @@ pub enum Step {
         /// Where the ray leaves it.
         t_exit: f32,
     },
-    /// A node is visited that cuts the box of the one above.
+    /// The ray visits a node whose planes cut the box of its parent.
     Node {
         /// Word offset of the node.
         offset: u32,
@@ -29,9 +29,9 @@ pub enum Step {
         planes: Vec<f32>,
         /// Where the ray's part begins on arrival.
         t_min: f32,
-        /// Where it ends.
+        /// Where the ray's part ends.
         t_max: f32,
-        /// What survives.
+        /// The children that the ray goes on to.
         outcome: String,
     },
     /// A node's own box is tested.
@@ -44,10 +44,10 @@ pub enum Step {
         hit: bool,
         /// Where the ray enters it.
         t_entry: f32,
-        /// Where the ray leaves it, or its best hit.
+        /// Where the ray leaves it, or the best hit if that is nearer.
         t_exit: f32,
     },
-    /// A node waits on the stack.
+    /// A node is put on the stack.
     Push {
         /// Word offset, or number of the first child or triangle.
         offset: u32,
@@ -60,12 +60,12 @@ pub enum Step {
     Pop {
         /// Word offset, or number of the first child or triangle.
         offset: u32,
-        /// Whether it begins beyond the best hit and is thrown away.
+        /// Whether it is discarded, because it begins beyond the best hit.
         discarded: bool,
     },
     /// A triangle is tested.
     Triangle {
-        /// Place in the structure's triangle array.
+        /// Index in the structure's array of triangles.
         slot: u32,
         /// Index in the mesh.
         triangle: u32,
@@ -79,13 +79,13 @@ pub enum Step {
 /// A traversal for the closest hit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Walk {
-    /// What happened, in order.
+    /// The events in order.
     pub steps: Vec<Step>,
-    /// What was found.
+    /// The nearest hit.
     pub hit: Option<Hit>,
 }
 
-/// Walks through `structure`.
+/// Traces `ray` through `structure` and records the steps.
 ///
 /// # Panics
 /// If the structure is not valid.
@@ -98,14 +98,14 @@ pub fn walk(structure: &Structure, ray: &TraversalRay) -> Walk {
     Walk { steps: log.steps, hit }
 }
 
-/// Writes the events of a traversal down as steps.
+/// Records the events of a traversal as steps.
 struct Log<'a> {
     structure: &'a Structure,
     steps: Vec<Step>,
 }
 
 impl Log<'_> {
-    /// What the structure calls the place that is `address` bytes from its start.
+    /// The number by which the structure refers to the node `address` bytes from its start.
     fn offset(&self, address: u64) -> u32 {
         (address / u64::from(self.structure.address_bytes())) as u32
     }

@@ -1,4 +1,4 @@
-//! What a unit does with a scene's rays, as a waveform.
+//! The waveform of a unit that processes a scene's rays.
 
 use crate::drive::{self, Traversals};
 use crate::input::{Built, SceneSource, check_writable};
@@ -13,10 +13,10 @@ use scenes::Scene;
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// Which unit and which rays.
+/// The unit, the rays, and the file of the waveform.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The unit or pipeline; single units show what they are given inside the dual-split pipeline.
+    /// The unit or pipeline. A single unit gets the inputs that it has inside the dual-split pipeline.
     pub unit: Top,
     /// The scene.
     pub scene: SceneSource,
@@ -24,15 +24,15 @@ pub struct Options {
     pub rays: u32,
     /// How plane distances are rounded.
     pub mode: Mode,
-    /// Of the tree.
+    /// How the tree is built.
     pub quality: Quality,
-    /// The waveform, a VCD file.
+    /// The VCD file that the waveform is written to.
     pub out: PathBuf,
-    /// Replace a file that exists.
+    /// Replaces `out` if it exists.
     pub force: bool,
 }
 
-/// What was written.
+/// Facts about the waveform written.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Wave {

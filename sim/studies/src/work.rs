@@ -1,4 +1,4 @@
-//! What rays have cost, class by class, as result files show it.
+//! The work of rays by class, as result files show it.
 
 use golden::traverse::Counters;
 use render::{ClassTotals, RayClass};
@@ -34,17 +34,17 @@ impl From<Counters> for CounterRow {
 pub struct ClassRow {
     /// The name of the class.
     pub class: String,
-    /// How many there are.
+    /// Number of rays.
     pub rays: u64,
-    /// How many of them hit.
+    /// Number of rays that hit something.
     pub hits: u64,
-    /// Absent if the work was not counted.
+    /// The work of the rays; absent if it was not counted.
     #[serde(flatten)]
     pub counters: Option<CounterRow>,
 }
 
 impl ClassRow {
-    /// What the rays of `class` have cost, if that was counted.
+    /// The row of `class`, with its work if `counted`.
     pub fn new(class: RayClass, totals: &ClassTotals, counted: bool) -> Self {
         Self {
             class: class.to_string(),

@@ -8,7 +8,7 @@ use studies::progress::Progress;
 
 pub use studies::table::{fixed, table};
 
-/// What a command has to say.
+/// The result of a command, as JSON and as text.
 pub struct Report {
     json: String,
     text: String,
@@ -17,7 +17,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// A report with the JSON document `json`, or else `text`.
+    /// A report with the JSON document `json` and the equivalent `text`.
     ///
     /// # Panics
     /// If `json` has no JSON form, which is a mistake of the caller.
@@ -26,7 +26,7 @@ impl Report {
         Self { json, text, difference: false }
     }
 
-    /// The document or the text, ending in a line break.
+    /// The document if `json` is set, else the text. Either ends in a line break.
     pub fn render(&self, json: bool) -> String {
         let mut out = if json { self.json.clone() } else { self.text.clone() };
         if !out.ends_with('\n') {
@@ -36,7 +36,7 @@ impl Report {
     }
 }
 
-/// Writes `text` to stdout. A reader that has left is no error.
+/// Writes `text` to stdout. A closed pipe is no error.
 pub fn print(text: &str) -> io::Result<()> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
@@ -45,7 +45,7 @@ pub fn print(text: &str) -> io::Result<()> {
     }
 }
 
-/// Bars and turning wheels on stderr, hidden where that is no terminal; the last of them is the one that moves.
+/// Progress bars and spinners on stderr, hidden if that is not a terminal. Reports move the last of them.
 #[derive(Default)]
 pub struct Bars(Mutex<Vec<ProgressBar>>);
 

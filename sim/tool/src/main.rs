@@ -19,7 +19,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Exit code 2 and one line on stderr, if anybody still reads it.
+/// Writes one line to stderr, unless that is closed, and returns exit code 2.
 fn fail(error: &anyhow::Error) -> ExitCode {
     use std::io::Write;
     let _ = writeln!(std::io::stderr(), "error: {error:#}");

@@ -1,4 +1,4 @@
-//! Levels and samples of the simulation against the frame itself.
+//! Levels and samples of the simulation, compared with the frame itself.
 
 use estimate::Method;
 use golden::build::{BuildOptions, Quality, build};
@@ -58,7 +58,7 @@ fn all_pixels_are_the_frame_and_a_sample_knows_its_instructions() {
 
     let sample = prepared.estimate(Level::Transaction, &Sample::of(2, 0));
     assert!(sample.timed_share < 0.75 && !sample.is_whole(), "{}", sample.timed_share);
-    // Of what is executed nothing is estimated.
+    // The instructions executed are known, not estimated.
     assert_eq!(sample.counts.runs, plain.counts.runs);
     assert_eq!(sample.totals.rays, plain.rays);
     assert_eq!(sample.results.energy_mj.pipeline, whole.results.energy_mj.pipeline);
@@ -107,8 +107,8 @@ fn the_analytic_bound_is_below_the_machine_in_every_structure() {
     }
 }
 
-/// A small version of the experiment of `docs/fidelity.md`. A sample that simply stands for the rest, with its cold start and
-/// its end, is several times as wrong.
+/// A small version of the experiment of `docs/fidelity.md`. If the timed pixels, with cold start and end, stand for the rest
+/// without correction, the error is several times as large.
 #[test]
 fn intervals_of_samples_cover_the_frame() {
     const SEEDS: u64 = 6;
@@ -138,11 +138,11 @@ fn auto_takes_no_more_than_the_tolerance_asks_for() {
     assert_eq!(first.estimate.level, Level::Analytic);
     assert!(last.estimate.is_within(0.1) && last.estimate.timed_share < 0.5, "{}", last.verdict);
     let frame = prepared.estimate(Level::Transaction, &Sample::ALL);
-    // Below what warming can promise nothing but the frame will do.
+    // Warming leaves an error of BIAS, so a lower tolerance takes the whole frame.
     let tight = auto(&subject, 0.5 * BIAS, 1, |_| {}).unwrap();
     let result = &tight.last().unwrap().estimate;
     assert!(result.is_whole() && result.frame_ms == frame.frame_ms && result.energy_mj == frame.energy_mj);
-    // In between, every step adds to the one before.
+    // With a tolerance in between, every sample is larger than the one before.
     let steps = auto(&subject, 0.015, 1, |_| {}).unwrap();
     assert!(steps.last().unwrap().estimate.is_within(0.015));
     assert!(steps.windows(2).all(|pair| pair[0].estimate.timed_share < pair[1].estimate.timed_share));

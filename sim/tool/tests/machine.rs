@@ -1,4 +1,4 @@
-//! The machine as a whole: pictures, sums, bounds, and the order of things that theory knows.
+//! The machine as a whole: pictures, sums of counts, bounds, and relations that theory predicts.
 
 use estimate::Method;
 use golden::Mode;
@@ -90,7 +90,7 @@ fn the_pipelines_do_what_the_traversal_asks() {
         let golden = render(&prepared.structure(structure), &prepared.scene, &options, |_| {});
         golden.unwrap().total().counters
     };
-    // Every visited node is one operation, bare leaves included; every box is one.
+    // Every visited node takes one operation, bare leaves included, and so does every box.
     assert_eq!(operations(MachineStructure::Dst), work(MachineStructure::Dst).node_visits);
     for structure in [MachineStructure::Bvh2, MachineStructure::Bvh4, MachineStructure::Bvh8] {
         assert_eq!(operations(structure), work(structure).box_tests, "{structure}");
@@ -104,7 +104,7 @@ fn larger_caches_never_fetch_more_and_more_threads_are_not_slower() {
     let prepared = Prepared::new("courtyard", 0.001);
     let options = RenderOptions::new(Test::Raycast, 32, 32);
     let run = |settings: &[&str]| prepared.run(&machine(settings), MachineStructure::Bvh2, &options).1;
-    // With room for everything, each line is fetched once, whatever the size.
+    // A cache that holds all lines fetches each line once, whatever its size.
     let one = ["chip.l2_partitions=1", "chip.tms_per_partition=1", "l2.associativity=16"];
     let cost = ["l2.area_mm2=1.0", "l2.energy_nj=1.0"];
     let reads = |size: &str| run(&[one[0], one[1], one[2], cost[0], cost[1], size]).dram.counts.reads;
@@ -164,7 +164,7 @@ fn a_tree_that_the_memory_cannot_hold_names_the_key() {
     assert!(error.contains("dram.rows") && error.contains("65536 bytes"), "{error}");
 }
 
-/// Against the public simulator's runs, where they are at hand.
+/// Compares the machine with the public simulator's runs, if `DUALSPLIT_DATA` names a folder with them.
 #[test]
 fn reference_runs_are_within_their_tolerance() {
     let Some(folder) = testing::data("simtrax") else { return };
@@ -173,8 +173,8 @@ fn reference_runs_are_within_their_tolerance() {
         let run = reference.validate(run).unwrap();
         assert_eq!(run.result_mismatches, 0, "{} {}", run.set, run.variant);
         assert!(run.error_pct.abs() <= run.tolerance_pct, "{run:?}");
-        // Without a first-level cache, how many loads reach the second-level cache depends on how many cycles lie between loads of
-        // a line, which the kernel decides: one energy differs.
+        // Without a first-level cache, the number of loads that reach the second-level cache depends on the cycles between loads
+        // of a line. Those of our kernel differ from the simulator's, and so does the energy of the second-level cache.
         if run.variant == "l1off" {
             let others = [
                 run.l1_hit_pct,

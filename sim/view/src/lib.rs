@@ -1,4 +1,4 @@
-//! What one would rather look at than read.
+//! Results to look at: pictures, charts and the report's page.
 //!
 //! | module | what it holds |
 //! |---|---|

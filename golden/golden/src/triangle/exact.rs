@@ -142,6 +142,7 @@ fn to_double(x: &BigInt, bits: u64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_traits::FromPrimitive;
     use proptest::prelude::*;
 
     fn signs(x: [f64; 4]) -> [i32; 4] {
@@ -160,15 +161,63 @@ mod tests {
         [any_finite(), any_finite(), any_finite()]
     }
 
+    fn any_triangle() -> impl Strategy<Value = V3<V3<f32>>> {
+        [any_point(), any_point(), any_point()]
+    }
+
+    /// `x` in units of the least positive number.
+    fn integer(x: f32) -> BigInt {
+        BigInt::from_f64(f64::from(x) * 2f64.powi(149)).unwrap()
+    }
+
+    /// `[U, V, W]` and `a.(c x b)` by determinants of integers, with a common factor for each of the two.
+    fn reference(origin: V3<f32>, direction: V3<f32>, corners: &V3<V3<f32>>) -> [BigInt; 4] {
+        let [a, b, c] =
+            corners.map(|v| -> V3<BigInt> { std::array::from_fn(|k| integer(v[k]) - integer(origin[k])) });
+        let d = direction.map(integer);
+        let determinant = |x: &V3<BigInt>, y: &V3<BigInt>, z: &V3<BigInt>| {
+            &x[0] * &y[1] * &z[2] + &x[1] * &y[2] * &z[0] + &x[2] * &y[0] * &z[1]
+                - &x[2] * &y[1] * &z[0]
+                - &x[1] * &y[0] * &z[2]
+                - &x[0] * &y[2] * &z[1]
+        };
+        [determinant(&d, &c, &b), determinant(&d, &a, &c), determinant(&d, &b, &a), determinant(&a, &c, &b)]
+    }
+
+    /// Whether `[U, V, W]` are the reference's times one positive factor, but for rounding.
+    fn in_proportion(found: [f64; 4], reference: &[BigInt; 4]) -> bool {
+        let [u, v, w, _] = found;
+        let [x, y, z, _] = reference;
+        // 500 bits below the largest, and its highest 500 bits.
+        let shift = [x, y, z].map(|x| x.bits()).into_iter().max().unwrap_or(0).saturating_sub(500);
+        let exact = [x, y, z].map(|x| (x >> shift).to_f64().unwrap());
+        let (found, exact): (V3<f64>, V3<f64>) = ([u, v, w], exact);
+        let largest = (0..3).fold(0, |m, k| if exact[k].abs() > exact[m].abs() { k } else { m });
+        (0..3).all(|k| (found[k] / found[largest] - exact[k] / exact[largest]).abs() < 1e-9)
+            || exact[largest] == 0.0
+    }
+
     proptest! {
+        #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
         #[test]
-        fn the_three_evaluations_agree(o in any_point(), d in any_point(), t in [any_point(), any_point(), any_point()]) {
-            let exact = signs(in_big_integers(o, d, &t));
+        fn every_evaluation_has_the_signs_of_the_integers(o in any_point(), d in any_point(), t in any_triangle()) {
+            let exact = reference(o, d, &t);
+            let expected = exact.each_ref().map(|x| [-1, 0, 1][(x.signum() + 1u32).to_usize().unwrap()]);
+            prop_assert_eq!(signs(in_big_integers(o, d, &t)), expected);
+            prop_assert!(in_proportion(in_big_integers(o, d, &t), &exact));
             if let Some(x) = in_128_bits(o, d, &t) {
-                prop_assert_eq!(signs(x), exact);
+                prop_assert_eq!(signs(x), expected);
+                prop_assert!(in_proportion(x, &exact));
             }
             if let Some(x) = filtered(o, d, &t) {
-                prop_assert_eq!(signs(x), exact);
+                prop_assert_eq!(signs(x), expected);
+            }
+            let Signed { edges, depth_sign } = evaluate(o, d, &t);
+            prop_assert_eq!(signs([edges[0], edges[1], edges[2], 0.0])[..3].to_vec(), expected[..3].to_vec());
+            let side: i32 = expected[..3].iter().sum();
+            if side != 0 && expected[..3].iter().all(|sign| sign * side >= 0) {
+                prop_assert_eq!(depth_sign, (expected[3] * side).cmp(&0));
             }
         }
 
@@ -184,5 +233,46 @@ mod tests {
             let d = std::array::from_fn(|k| f32::from(a[k] + b[k] - 2 * o[k]));
             prop_assert_eq!(evaluate(f(o), d, &[f(a), f(b), f(c)]).edges[2], 0.0);
         }
+    }
+
+    #[test]
+    fn doubles_decide_down_to_their_error_bound() {
+        const E: f32 = 1.0 / 16_777_216.0;
+        // The cross product of c and b is (0, -E^2, E^2): each component is a difference of two numbers near 1.
+        let corners = [[0.0, -7.0, 3.0], [1.0 - 2.0 * E, 1.0 - E, 1.0 - E], [1.0 - E, 1.0, 1.0]];
+        let (e, square) = (f64::from(E), f64::from(E).powi(2));
+        // U and the volume are just above 8 half units of their permanents, about 2 and 20.
+        let expected = [square, 7.0 * (1.0 - e), -7.0 * (1.0 - 2.0 * e), 10.0 * square];
+        assert_eq!(filtered([0.0; 3], [0.0, 0.0, 1.0], &corners), Some(expected));
+        // Here the permanent of U is about 3, while U is the same.
+        assert_eq!(filtered([0.0; 3], [0.5, 0.0, 1.0], &corners), None);
+        let signed = evaluate([0.0; 3], [0.5, 0.0, 1.0], &corners);
+        assert_eq!(signs([signed.edges[0], signed.edges[1], signed.edges[2], 0.0]), [1, 1, -1, 0]);
+        // An edge function that is zero is left to integers, even where each of its products is zero.
+        let right = [[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [0.0, 4.0, 2.0]];
+        assert_eq!(filtered([1.0, 0.0, 0.0], [0.0, 0.0, 1.0], &right), None);
+    }
+
+    #[test]
+    fn products_of_one_unit_keep_their_sign() {
+        let unit = f32::from_bits(1);
+        let [a, b, c] = [[0.0, 0.0, unit], [unit, 0.0, unit], [0.0, unit, unit]];
+        let evaluated = |corners| in_big_integers([0.0; 3], [0.0, 0.0, unit], &corners);
+        assert_eq!(evaluated([a, b, c]), [-1.0, 0.0, 0.0, -1.0]);
+        assert_eq!(evaluated([a, c, b]), [1.0, 0.0, 0.0, 1.0]);
+    }
+
+    /// 128 bits have room for numbers that span 40 bits.
+    #[test]
+    fn the_range_of_128_bits_ends_at_forty() {
+        let fits = |point_exponent: i32, direction_exponent: i32| {
+            let [point, component] = [point_exponent, direction_exponent].map(|e| 2f32.powi(e));
+            let corners = [[point, 0.0, 2.0], [4.0, 0.0, 2.0], [0.0, 4.0, 2.0]];
+            in_128_bits([1.0, 1.0, 0.0], [component, 0.0, 1.0], &corners).is_some()
+        };
+        // A float has 24 bits, so that 4 and 2^-14 span 2 + 14 + 24, and 1 and 2^-16 span 16 + 24.
+        assert!(fits(-14, -16));
+        assert!(!fits(-15, 0));
+        assert!(!fits(0, -17));
     }
 }

@@ -290,30 +290,4 @@ fn within_box(ray: &TraversalRay, triangle: &Triangle, hit: TriangleHit, t_max: 
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Mode, Ray};
-    use proptest::prelude::*;
-
-    fn point() -> impl Strategy<Value = [f32; 3]> {
-        // Zeros make directions with components of zero, along which no distance can be told.
-        prop::array::uniform3(prop_oneof![Just(0i8), -100i8..100].prop_map(f32::from))
-    }
-
-    proptest! {
-        /// The middle of an edge is met halfway along a direction of twice the length, and single precision does not decide it.
-        #[test]
-        fn the_test_decides_an_edge_as_the_exact_hit(o in point(), [a, b, c] in prop::array::uniform3(point())) {
-            let direction = std::array::from_fn(|k| a[k] + b[k] - 2.0 * o[k]);
-            let mesh = Mesh { positions: vec![a, b, c], triangles: vec![[0, 1, 2]] };
-            let Some(ray) = TraversalRay::new(&Ray::new(o, direction), Mode::Robust) else { return Ok(()) };
-            let found = TriangleTest::new(&ray).intersect(&ray, &Triangle::new(&mesh, 0, true), f32::INFINITY);
-            let exact = exact_hit(ray.origin, ray.direction, &[a, b, c]);
-            prop_assert_eq!(found.map(|hit| (hit.u, hit.v)), exact.map(|hit| (hit.u, hit.v)));
-            if let (Some(found), Some(exact)) = (found, exact) {
-                prop_assert_eq!((exact.u, exact.v, ray.given_t(exact.t)), (0.5, 0.0, 0.5));
-                prop_assert!((found.t - exact.t).abs() <= 4e-7 * exact.t);
-            }
-        }
-    }
-}
+mod tests;

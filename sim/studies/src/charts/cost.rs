@@ -1,8 +1,8 @@
 //! Area and energy of the dual-split pipeline in each format that modules exist for.
 //!
-//! The netlist is mapped to the embedded library and scaled to 65 nm, as [`estimate`] does for binary32; its nets
-//! change as nodes of the scene make them, rounded naively to the format. The pipeline is the published one: a second origin for
-//! the conservative variant would add one 2:1 multiplexer to each plane.
+//! The netlist is mapped to the embedded library and scaled to 65 nm, as [`estimate`] does for binary32. The energy is that of
+//! the node steps of the scene's rays, with nodes and rays rounded naively to the format. The pipeline is the published one: the
+//! second origin of the conservative variant would add one 2:1 multiplexer to each plane.
 
 use crate::stress::narrow_case;
 use estimate::{EstimateError, Implementation, Method, Workload, cost};
@@ -25,7 +25,7 @@ pub struct FormatCost {
     pub area_um2: f64,
     /// Energy of a node step, of units and glue, in picojoules.
     pub energy_pj: f64,
-    /// Where the numbers come from.
+    /// The source of the numbers.
     pub source: String,
 }
 
@@ -44,7 +44,7 @@ pub fn format_cost(
     let narrow = NarrowDst::new(dst, Precision::new(format, Variant::Naive));
     let arithmetic = Arithmetic::new(format);
     let mut nodes = vec![];
-    // Every ray of a sample that is spread over all waves, until there are enough.
+    // A sample of rays that is spread over all waves, until there are enough steps.
     let stride = (rays.len() / 400).max(1);
     for ray in (0..stride).flat_map(|first| rays.iter().skip(first).step_by(stride)) {
         if nodes.len() >= STEPS {

@@ -1,48 +1,48 @@
-//! A frame at every level on samples of every size, beside the most detailed run of all rays.
+//! A frame at every level on samples of every size, compared with the most detailed simulation of the whole frame.
 
 use crate::fidelity::{Estimate, FidelityError, Level, Sample, Subject};
 use serde::Serialize;
 use view::plot::{Axis, Chart, Point, Series, Style};
 
-/// A level on a sample, its error the mean of some draws.
+/// A level on a sample, with means over the draws of that sample.
 #[derive(Clone, Debug, Serialize)]
 pub struct FidelityPoint {
     /// The level.
     pub level: &'static str,
-    /// What puts the caches in the frame's state: `functional` as usual, `lead` without lines of what is left out, `none`
-    /// without either; empty where nothing is left out.
+    /// What puts the caches in the frame's state: `functional` for a lead and the lines of pixels left out, `lead` for a lead
+    /// alone, `none` for neither; empty where no pixel is left out.
     pub warming: &'static str,
-    /// Batches measured.
+    /// Batches that were measured.
     pub batches: u32,
-    /// Draws.
+    /// Number of samples drawn, each with its own seed.
     pub draws: u32,
     /// Share of the pixels that were timed.
     pub pixels_timed_share: f64,
-    /// Of the host, for one draw.
+    /// Seconds of the host for one draw.
     pub seconds: f64,
     /// Milliseconds of the frame.
     pub frame_ms: f64,
     /// Millijoules of the frame.
     pub energy_mj: f64,
-    /// Mean error of the frame time in percent: the bias, where there are many draws.
+    /// Mean error of the frame time in percent. Over many draws, this is the bias.
     pub time_error_pct: f64,
     /// Standard deviation of that error over draws.
     pub time_spread_pct: f64,
     /// Half of the 95 % interval, mean of the draws.
     pub time_interval_pct: f64,
-    /// The same if everything timed, cold start and end included, simply stood for the rest.
+    /// Mean error of the frame time in percent, if all timed pixels, cold start and end included, stood for the rest.
     pub plain_time_error_pct: f64,
     /// Mean error of the energy in percent.
     pub energy_error_pct: f64,
-    /// The same if everything timed, cold start and end included, simply stood for the rest.
+    /// Mean error of the energy in percent, if all timed pixels, cold start and end included, stood for the rest.
     pub plain_energy_error_pct: f64,
-    /// Standard deviation of that error over draws.
+    /// Standard deviation of `energy_error_pct` over draws.
     pub energy_spread_pct: f64,
     /// Half of the 95 % interval, mean of the draws.
     pub energy_interval_pct: f64,
 }
 
-/// What is charted: strata of a sample, none for the whole frame, and what warms the caches.
+/// The setting of a point: the level, the strata of the sample (`None` for the whole frame), and what warms the caches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Setting {
     level: Level,
@@ -51,7 +51,7 @@ struct Setting {
     warms: bool,
 }
 
-/// All points of a chart, the most detailed run of all rays last; `done` is called after each run.
+/// All points of a chart, the most detailed simulation of the whole frame last. `done` is called after each run.
 ///
 /// # Errors
 /// [`FidelityError`].
@@ -153,7 +153,7 @@ fn point(setting: &Setting, runs: &[Estimate], reference: (f64, f64)) -> Fidelit
     }
 }
 
-/// Error in frame time and in energy over the host's time, with intervals.
+/// Charts of the errors in frame time and in energy against the host's time, with intervals.
 #[must_use]
 pub fn charts(title: &str, points: &[FidelityPoint]) -> [(&'static str, Chart); 2] {
     let chart = |what: &str, of: fn(&FidelityPoint) -> (f64, f64), plain: fn(&FidelityPoint) -> f64| {

@@ -14,30 +14,30 @@ use render::{RenderOptions, Test};
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// What is simulated, and where it is written.
+/// The scene, the machine, the samples, and the folder of the results.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The scene, whose seed is also that of the samples.
     pub scene: SceneSource,
     /// The structure, with its program and its pipeline.
     pub structure: MachineStructure,
-    /// Which rays.
+    /// The test: primary and shadow rays, or paths.
     pub test: Test,
-    /// Of the tree.
+    /// How the tree is built.
     pub quality: Quality,
     /// Width and height of the image in pixels.
     pub size: [u32; 2],
     /// Samples of each size.
     pub repeats: u32,
-    /// The whole frame with every pipeline operation executed by its netlist, too.
+    /// Also simulates frames in which the netlist executes every pipeline operation.
     pub rtl: bool,
     /// A preset machine or a TOML file.
     pub machine: String,
     /// Changed keys of the machine.
     pub settings: Vec<String>,
-    /// The folder that is written; without, `fidelity-` and the scene's name.
+    /// The folder that is written; if absent, `fidelity-` and the scene's name.
     pub out: Option<PathBuf>,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
@@ -58,7 +58,7 @@ pub struct FidelityChart {
     pub artifacts: Vec<String>,
 }
 
-/// Simulates the frame at every level and on samples, and writes table and charts to a folder.
+/// Simulates the frame at every level and on samples, and writes a table and charts to a folder.
 ///
 /// # Errors
 /// The scene or the machine cannot be loaded, a simulation fails, or a file cannot be written.

@@ -1,4 +1,4 @@
-//! Sweeps of one scene that chart a cost against an error.
+//! Sweeps over one scene, charted as cost against error.
 
 pub mod cost;
 pub mod fidelity;

@@ -1,6 +1,6 @@
-//! Which of many compromises are worth having.
+//! The Pareto front: the points that no other point dominates.
 
-/// For each point whether no other is at least as good in every quantity and better in one; less is better.
+/// For each point, whether no other point is at least as good in every quantity and better in one. Less is better.
 #[must_use]
 pub fn front<const N: usize>(points: &[[f64; N]]) -> Vec<bool> {
     let dominates = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).all(|(a, b)| a <= b) && a != b;

@@ -1,7 +1,7 @@
 //! What fewer bits cost and save: visits, lost hits and image error of a scene in every format.
 //!
-//! The reference is binary32 in robust mode. Its rays are traced again in each format, so that visits and lost hits are of
-//! the same rays everywhere; the image error is that of the picture that the format renders by itself.
+//! The reference is binary32 in robust mode. Each format traces the reference's rays again, so that visits and lost hits of all
+//! formats refer to the same rays. The image error is that of a picture rendered with the format's own rays.
 
 use super::pareto;
 use fp::{Format, FormatError};
@@ -21,19 +21,19 @@ use std::sync::Arc;
 use view::picture::Picture;
 use view::picture::difference::Difference;
 
-/// A scene's reference, that formats are compared with.
+/// A scene's reference, which formats are compared with.
 pub struct Sweep<'a> {
     scene: &'a Scene,
     structure: Structure,
     options: RenderOptions,
     reference: Rendering,
-    /// The reference's rays by class, and what each finds: a triangle and a distance, or whether it is blocked.
+    /// The reference's rays by class, each with what it finds.
     rays: Vec<(Ray, Answer)>,
-    /// Visits of all of them in binary32 robust mode.
+    /// The work of all these rays in binary32 robust mode.
     pub reference_counters: Counters,
 }
 
-/// What a ray finds.
+/// The result of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Answer {
     /// The nearest triangle and the bits of its distance.
@@ -73,31 +73,31 @@ pub struct PrecisionPoint {
     pub exponent_bits: u32,
     /// Significand bits with the hidden one.
     pub significand_bits: u32,
-    /// Rays traced, those of the reference.
+    /// Rays traced: all rays of the reference.
     pub rays: u64,
-    /// Nodes visited.
+    /// Node visits of all rays.
     pub node_visits: u64,
-    /// The same per ray.
+    /// Node visits per ray.
     pub node_visits_per_ray: f64,
     /// Triangles tested per ray.
     pub triangle_tests_per_ray: f64,
     /// The largest number of stack entries.
     pub stack_depth: u32,
-    /// Rays that hit something in the reference and nothing here.
+    /// Rays that hit something in the reference and nothing in this format.
     pub false_misses: u64,
-    /// Rays that hit something here and nothing in the reference.
+    /// Rays that hit something in this format and nothing in the reference.
     pub false_hits: u64,
-    /// Rays that hit another triangle.
+    /// Rays that hit another triangle than in the reference.
     pub wrong_nearest: u64,
-    /// Rays that hit the same triangle at a distance that differs in some bit.
+    /// Rays that hit the triangle of the reference at a distance that differs in some bit.
     pub other_distance: u64,
-    /// Root of the mean squared difference of linear radiance to the reference's picture.
+    /// Root mean square difference in linear radiance from the reference's picture.
     pub rmse: f64,
     /// Pixels with any difference.
     pub differing_pixels: u64,
     /// Area of the dual-split pipeline in square micrometres, where modules of the format exist; see [`super::cost`].
     pub area_um2: Option<f64>,
-    /// Energy of all node visits per ray in the pipeline, in picojoules.
+    /// Energy that the pipeline spends on the node visits of a ray, in picojoules.
     pub energy_pj_per_ray: Option<f64>,
     /// Simulated time of the frame in milliseconds, where a machine is given; see [`Sweep::frame_ms`].
     pub frame_ms: Option<f64>,
@@ -154,8 +154,10 @@ impl<'a> Sweep<'a> {
         self.rays.len() as u64
     }
 
-    /// Time of the frame on `machine`, whose program is that of the dual-split pipeline with a latency that does not depend on the
-    /// format; nodes keep their 12 bytes. `None` for other structures.
+    /// Milliseconds of the frame on `machine`, or `None` for other structures than dual-split trees.
+    ///
+    /// `machine` runs the program of the dual-split pipeline. The pipeline's latency does not depend on the format, and nodes keep
+    /// their 12 bytes.
     ///
     /// # Errors
     /// [`FrameError`] if the machine cannot run it.
@@ -167,14 +169,14 @@ impl<'a> Sweep<'a> {
         Ok(Some(f64::from(frame.counts.cycles) / machine.description.clock_ghz / 1e6))
     }
 
-    /// The rays of nearest hits, prepared in `mode`.
+    /// The rays that ask for the nearest hit, prepared in `mode`.
     #[must_use]
     pub fn closest_rays(&self, mode: golden::Mode) -> Vec<TraversalRay> {
         let closest = self.rays.iter().filter(|(_, answer)| matches!(answer, Answer::Nearest(_)));
         closest.filter_map(|(ray, _)| TraversalRay::new(ray, mode)).collect()
     }
 
-    /// Calls `visit` with every ray in the reference's order, and whether only occlusion is asked for.
+    /// Calls `visit` with every ray in the reference's order, and whether the ray asks for occlusion only.
     pub fn for_each_ray(&self, mut visit: impl FnMut(&TraversalRay, bool)) {
         for (ray, answer) in &self.rays {
             if let Some(prepared) = TraversalRay::new(ray, self.options.mode) {
@@ -189,8 +191,10 @@ impl<'a> Sweep<'a> {
         &self.structure
     }
 
-    /// Traces and renders in `precision`. `None` if the rays visit more than `most_visits` nodes, in not much more time than these
-    /// take: with too few bits nothing is culled, and every ray of a conservative traversal visits the whole tree.
+    /// Traces and renders in `precision`, or returns `None` if the rays visit more than `most_visits` nodes.
+    ///
+    /// The limit bounds the time: with too few bits no node is culled, and every ray of a conservative traversal visits the whole
+    /// tree.
     ///
     /// # Errors
     /// See [`SweepError`].
@@ -214,7 +218,7 @@ impl<'a> Sweep<'a> {
             };
             (counters, wrong)
         };
-        // Sums and maxima of integers: the order does not matter.
+        // Sums and maxima of integers do not depend on the order.
         let add = |mut a: (Counters, [u64; 4]), b: (Counters, [u64; 4])| {
             a.0.merge(&b.0);
             (a.0, std::array::from_fn(|i| a.1[i] + b.1[i]))
@@ -222,7 +226,8 @@ impl<'a> Sweep<'a> {
         let mut sums = Default::default();
         let mut traced_rays = 0;
         while traced_rays < self.rays.len() {
-            // As many as so far: the limit is passed by no more than its own amount, or by one ray.
+            // Each turn traces as many rays as all turns before it, so that the time beyond the limit stays near that of the
+            // limit.
             let next = self.rays.len().min((2 * traced_rays).max(1));
             let some = &self.rays[traced_rays..next];
             sums = add(sums, some.par_iter().map(traced).reduce(Default::default, add));
@@ -279,7 +284,7 @@ fn colours(rendering: &Rendering) -> Picture<f32> {
     Picture { width: rendering.width, height: rendering.height, pixels }
 }
 
-/// Marks the points that no other is better than in bits, visits, false misses and error together.
+/// Marks the points on the Pareto front of bits, visits, false misses and image error.
 pub fn mark_front(points: &mut [PrecisionPoint]) {
     let costs: Vec<[f64; 4]> = points
         .iter()
@@ -312,7 +317,7 @@ mod tests {
         assert!(point.node_visits > sweep.reference_counters.node_visits);
         assert_eq!(sweep.point(precision, point.node_visits).unwrap(), Some(point.clone()));
         assert_eq!(sweep.point(precision, point.node_visits - 1).unwrap(), None);
-        // The limit is found without all rays, too.
+        // A low limit is exceeded before all rays are traced.
         assert_eq!(sweep.point(precision, 1).unwrap(), None);
     }
 }

@@ -17,26 +17,26 @@ use serde::Serialize;
 use std::path::PathBuf;
 use view::plot::{Axis, Chart, Point, Series, Style};
 
-/// What is traced, and where it is written.
+/// The scene, its rays, the machine, and the folder of the results.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The scene, whose seed is also that of the rays.
     pub scene: SceneSource,
-    /// Through what.
+    /// The structure that the rays are traced through.
     pub structure: StructureKind,
-    /// Which rays.
+    /// The test: primary and shadow rays, or paths.
     pub test: Test,
-    /// Of the tree.
+    /// How the tree is built.
     pub quality: Quality,
     /// Width and height of the image in pixels.
     pub size: [u32; 2],
-    /// Formats that visit more than this many times the nodes of binary32 are left out.
+    /// Formats with more than this many times the node visits of binary32 are left out.
     pub most_visits: f64,
-    /// The machine that simulates the frame in each format, and changed keys of it.
+    /// The machine that simulates the frame in each format, and its changed keys.
     pub machine: Option<(String, Vec<String>)>,
-    /// The folder that is written; without, `precision-` and the scene's name.
+    /// The folder that is written; if absent, `precision-` and the scene's name.
     pub out: Option<PathBuf>,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
@@ -51,22 +51,22 @@ pub struct PrecisionChart {
     pub width: u32,
     pub height: u32,
     pub rays: u64,
-    /// Of binary32 in robust mode.
+    /// Node visits of all rays in binary32 in robust mode.
     pub reference_node_visits: u64,
     pub points: Vec<PrecisionPoint>,
-    /// Formats that visit more than this many times as many nodes are left out.
+    /// Formats with more than this many times the node visits of the reference are left out.
     pub most_visits: f64,
-    /// Those formats with their variant.
+    /// The formats that were left out, with their variants.
     pub left_out: Vec<String>,
-    /// Where area and energy come from.
+    /// The source of area and energy.
     pub cost_source: Option<String>,
     pub artifacts: Vec<String>,
 }
 
-/// Traces the scene in every format, and writes table and charts to a folder.
+/// Traces the scene in every format, and writes a table and charts to a folder.
 ///
 /// # Errors
-/// The scene or the machine cannot be loaded, a format not be traced or measured, or a file not be written.
+/// The scene or the machine cannot be loaded, a format cannot be traced or measured, or a file cannot be written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<PrecisionChart> {
     let scene = args.scene.load(progress)?;
     let folder = args.out.clone().unwrap_or_else(|| format!("precision-{}", scene.name).into());
@@ -79,7 +79,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<PrecisionC
     let part = Part::begin(progress, formats.len() as u64, "formats");
     let (mut points, mut left_out, mut cost_source) = (vec![], vec![], None);
     let most_visits = (args.most_visits * sweep.reference_counters.node_visits as f64) as u64;
-    // The pipeline is that of dual-split trees, whatever is traversed.
+    // Area and energy are those of the dual-split pipeline, whichever structure is traversed.
     let (dst, _) = built.convert(StructureKind::Dst)?;
     let rays = sweep.closest_rays(Variant::Naive.mode());
     let machine = match &args.machine {
@@ -143,7 +143,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<PrecisionC
     })
 }
 
-/// Visits and error over the significand, and the front.
+/// Charts of visits, errors, time and energy, and of the Pareto front.
 fn charts(scene: &str, sweep: &Sweep<'_>, points: &[PrecisionPoint]) -> Vec<(&'static str, Chart)> {
     // Formats with 8 exponent bits are joined by lines; the others stand alone.
     let series = |x: fn(&PrecisionPoint) -> f64, y: &dyn Fn(&PrecisionPoint) -> f64| -> Vec<Series> {

@@ -1,4 +1,4 @@
-//! All pairs of operands, to be interrupted and continued.
+//! A check of all pairs of operands, which can be interrupted and continued.
 
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail};
@@ -11,25 +11,26 @@ use std::time::Instant;
 /// Blocks between two writings of the state.
 const BLOCKS_AT_ONCE: u64 = 4096;
 
-/// All pairs of operands.
+/// The result of a check of all pairs of operands.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Pairs {
     pub name: String,
-    /// Pairs of operands compared, each mode of the unit counted.
+    /// Pairs of operands compared. A pair counts once for each mode of the unit.
     pub vectors: u64,
     pub mismatches: u64,
-    /// Of this run.
+    /// The rate of this run, without what an interrupted run had compared.
     pub vectors_per_second: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first_mismatch: Option<String>,
 }
 
-/// Compares all pairs, or goes on where an earlier run was interrupted; `state` names the file that says where, which is removed
-/// in the end.
+/// Compares all pairs, or continues where an earlier run was interrupted.
+///
+/// `state` names the file that holds the progress of an interrupted run. The file is removed at the end.
 ///
 /// # Errors
-/// The unit is not compiled in this format, or the file is not of this check or cannot be written.
+/// The unit is not compiled in this format, or the file belongs to another check or cannot be read or written.
 pub fn run(
     format: StandardFormat,
     operation: Operation,
@@ -64,7 +65,7 @@ pub fn run(
     })
 }
 
-/// What an interrupted run has left, or nothing done yet.
+/// The state that an interrupted run left, or that of a check that begins.
 fn resume(path: &Path, check: &Exhaustive) -> anyhow::Result<State> {
     let fresh = check.start();
     let text = match std::fs::read_to_string(path) {

@@ -1,7 +1,7 @@
-//! The netlists of the hardware against the specification.
+//! The netlists of the hardware, compared with the specification.
 //!
-//! All operations go through the fastest engine. The first of them also go through the reference simulation, where each
-//! is counted by its class, which says what a stream has covered.
+//! All operations run in the fastest engine. The first of them also run in the reference simulation, which counts each by its
+//! classes: the counts show what the stream covers.
 
 pub mod exhaustive;
 
@@ -17,20 +17,20 @@ use std::time::Instant;
 /// Cycles of each top in the reference simulation.
 const REFERENCE_CYCLES: u64 = 10_000;
 
-/// What is compared.
+/// The units to check, and the number of operations.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// The unit or pipeline; all if there is none.
+    /// The unit or pipeline that is checked; all of them if absent.
     pub unit: Option<Top>,
-    /// Operations to compare for each.
+    /// Operations that are compared for each unit.
     pub vectors: u64,
-    /// Puts this of the unit's faults into its netlist first, counted from 0.
+    /// The number of a fault, counted from 0, that is put into the unit's netlist before the check.
     pub fault: Option<usize>,
     /// Seed of the operations.
     pub seed: u64,
 }
 
-/// What was compared.
+/// The results of all checks.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Checks {
@@ -41,7 +41,7 @@ pub struct Checks {
     pub units: Vec<UnitRow>,
 }
 
-/// A unit or pipeline.
+/// The result of the check of a unit or pipeline.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct UnitRow {
@@ -58,7 +58,7 @@ pub struct UnitRow {
     pub first_mismatch: Option<String>,
 }
 
-/// Compares.
+/// Compares the units that `options` name with the specification.
 ///
 /// # Errors
 /// There is no such fault, or a unit cannot be elaborated.
@@ -79,7 +79,7 @@ pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Checks>
     Ok(checks)
 }
 
-/// The design with its fault `number`, and what the fault is.
+/// The design with fault `number`, and a description of the fault.
 fn mutant(design: &Design, number: usize) -> anyhow::Result<(Design, String)> {
     let faults = mutations(design);
     let fault = faults.get(number).with_context(|| {
@@ -89,7 +89,7 @@ fn mutant(design: &Design, number: usize) -> anyhow::Result<(Design, String)> {
     Ok((mutate(design, fault)?, fault.to_string()))
 }
 
-/// A netlist that nothing is compiled for: the reference simulation alone.
+/// The result for a faulty netlist. Only the reference simulation runs it, as no compiled program exists for it.
 fn mutant_row(top: Top, mutant: &Design, cycles: u64, seed: u64) -> anyhow::Result<UnitRow> {
     let start = Instant::now();
     let outcome = equivalence::check(&flatten(mutant)?, top, StandardFormat::Binary32, cycles, seed);

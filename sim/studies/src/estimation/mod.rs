@@ -1,4 +1,4 @@
-//! Area, energy and speed of the pipelines, beside the published figures, as a report.
+//! A report of area, energy and speed of the pipelines, beside the published figures.
 
 mod numbers;
 mod report;
@@ -23,20 +23,20 @@ use std::path::PathBuf;
 
 pub use synthesis::SynthesisRow;
 
-/// What is mapped to what, and measured on which rays.
+/// The libraries to map to, the scenes to measure on, and the folder of the report.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Liberty files; an embedded table if there are none.
+    /// Liberty files of cell libraries; if there are none, the embedded library is used.
     pub liberty: Vec<PathBuf>,
-    /// Synthesise the exported Verilog with yosys and ABC too.
+    /// Also synthesises the exported Verilog with yosys and ABC.
     pub synthesis: bool,
-    /// The scenes whose rays make the nets change; the first is the one of all tables.
+    /// The scenes on whose rays energy is measured. All tables but that of the scenes show the first.
     pub scenes: Vec<SceneSource>,
-    /// Of the trees.
+    /// How the trees are built.
     pub quality: Quality,
     /// A folder for the report as text, CSV, JSON and HTML.
     pub out: Option<PathBuf>,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
@@ -46,10 +46,10 @@ pub struct Options {
 pub struct Estimates {
     pub scene: String,
     pub library: LibraryRow,
-    /// Where the numbers below come from, by their keys.
+    /// The sources of the numbers below, by their keys.
     pub provenance: BTreeMap<&'static str, String>,
     pub pipelines: Vec<PipelineRow>,
-    /// The same without redundant comparators.
+    /// The pipelines without redundant comparators.
     pub lean_pipelines: Vec<PipelineRow>,
     pub ratios: Vec<RatioRow>,
     pub scenes: Vec<SceneRow>,
@@ -70,7 +70,7 @@ pub struct LibraryRow {
     pub scaling: Option<Scaling>,
 }
 
-/// How many of each.
+/// How many units of each kind a pipeline has.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Units {
@@ -81,7 +81,7 @@ pub struct Units {
     pub fp_cmp: u32,
 }
 
-/// A pipeline by one method.
+/// The cost of a pipeline by one method.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct EstimateRow {
@@ -93,7 +93,7 @@ pub struct EstimateRow {
     pub source: String,
 }
 
-/// An operation on one type of node.
+/// The energy of an operation on one type of node.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct TypeRow {
@@ -104,7 +104,7 @@ pub struct TypeRow {
     pub energy_with_glitches: Breakdown,
 }
 
-/// A pipeline.
+/// Area, energy and speed of a pipeline.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct PipelineRow {
@@ -113,11 +113,11 @@ pub struct PipelineRow {
     pub latency_cycles: Option<u32>,
     pub published: PaperFigures,
     pub estimates: Vec<EstimateRow>,
-    /// In the library, square micrometres.
+    /// Area in the library in square micrometres.
     pub area: Breakdown,
-    /// Of one operation of the scene in the library, femtojoules.
+    /// Energy of one operation of the scene in the library in femtojoules.
     pub energy: Breakdown,
-    /// The same with glitches.
+    /// The same energy with glitches.
     pub energy_with_glitches: Breakdown,
     pub operations: u64,
     pub glitch_operations: u64,
@@ -154,7 +154,7 @@ pub struct SceneRow {
     /// Shares of the types of node among the operations; none for boxes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub node_types: Vec<(NodeType, f64)>,
-    /// Of one operation, femtojoules.
+    /// Energy of one operation in femtojoules.
     pub energy: EnergyReport,
 }
 
@@ -163,15 +163,16 @@ pub struct SceneRow {
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct RatioRow {
     pub method: String,
-    /// Ray-box over dual-split.
+    /// Area of the ray-box pipeline over that of the dual-split pipeline.
     pub area: f64,
     pub energy: f64,
 }
 
-/// Maps and measures the pipelines on the scenes' rays, and writes the report if a folder is given. Returns it as text, too.
+/// Maps the pipelines and measures them on the scenes' rays. Returns the report as numbers and as text, and writes it if a
+/// folder is given.
 ///
 /// # Errors
-/// A scene or a library cannot be loaded, a pipeline not be mapped, or a file not be written; synthesis fails.
+/// A scene or a library cannot be loaded, a pipeline cannot be mapped, synthesis fails, or a file cannot be written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates, String)> {
     ensure!(
         !args.synthesis || args.liberty.len() == 1,
@@ -195,7 +196,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
     let mut scenes = Vec::new();
     for (position, workload) in workloads.iter().enumerate() {
         for (implementation, row) in implementations[..2].iter().zip(&rows) {
-            // The first scene's are known already.
+            // The energies of the first scene are known already.
             let known = (position == 0).then(|| row.energy_report());
             scenes.push(in_scene(implementation, workload, known)?);
         }
@@ -331,7 +332,7 @@ fn in_scene(
     })
 }
 
-/// How much smaller the dual-split pipeline is, by each method.
+/// How many times larger the ray-box pipeline is than the dual-split pipeline, by each method.
 fn ratios(rows: &[PipelineRow]) -> Vec<RatioRow> {
     let [dual_split, ray_box] = rows else { return Vec::new() };
     let mut ratios = vec![RatioRow {

@@ -1,4 +1,4 @@
-//! The report as one row for each number, and where the numbers come from.
+//! The report as CSV with one row for each number, and the sources of the numbers.
 
 use super::Estimates;
 use anyhow::Context;
@@ -6,7 +6,7 @@ use estimate::Breakdown;
 use gates::liberty::Library;
 use std::collections::BTreeMap;
 
-/// One row for each number.
+/// The report as CSV, one row for each number.
 pub fn csv(document: &Estimates) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["pipeline", "method", "quantity", "part", "value", "unit", "source"])?;
@@ -68,7 +68,7 @@ pub fn csv(document: &Estimates) -> anyhow::Result<Vec<u8>> {
     writer.into_inner().context("estimate.csv")
 }
 
-/// Where the numbers come from, by the keys of the document.
+/// The sources of the numbers, by the keys of the document.
 pub fn provenance(library: &Library) -> BTreeMap<&'static str, String> {
     let netlist =
         format!("our netlist mapped to {} ({} V), without wires", library.source, library.voltage_v);
@@ -95,7 +95,7 @@ pub fn provenance(library: &Library) -> BTreeMap<&'static str, String> {
     ])
 }
 
-/// What a breakdown holds, by name.
+/// The parts of a breakdown, by name.
 pub fn parts(breakdown: &Breakdown) -> Vec<(String, f64)> {
     let units = breakdown.units.iter().map(|(unit, value)| (format!("{unit:?}"), *value));
     let rest = [

@@ -6,7 +6,7 @@ use crate::table::{fixed, table};
 use estimate::{Breakdown, NodeType, TARGET_NODE_NM};
 use std::fmt::Write;
 
-/// A table with its title, in two forms.
+/// A table with its title, as text and as HTML.
 pub struct Section {
     title: String,
     text: String,
@@ -36,7 +36,7 @@ fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// All sections joined.
+/// All sections as one text.
 pub fn text(sections: &[Section]) -> String {
     let mut text = String::new();
     for section in sections {
@@ -51,7 +51,7 @@ pub fn text(sections: &[Section]) -> String {
     text
 }
 
-/// A fragment without styles.
+/// All sections as an HTML fragment without styles.
 pub fn html(sections: &[Section]) -> String {
     let mut html = String::from("<section class=\"estimate\">\n");
     for section in sections {
@@ -64,7 +64,7 @@ pub fn html(sections: &[Section]) -> String {
     html
 }
 
-/// What is printed, in order.
+/// The sections of the report, in the order in which they are printed.
 pub fn sections(document: &Estimates) -> Vec<Section> {
     let mut sections = vec![comparison(document), ratios(document)];
     sections.push(breakdowns(document));

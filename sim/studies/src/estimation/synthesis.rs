@@ -1,4 +1,4 @@
-//! The exported Verilog in yosys and ABC, for comparison.
+//! Synthesis of the exported Verilog by yosys and ABC, for comparison with our mapping.
 
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail, ensure};
@@ -10,7 +10,7 @@ use serde::Serialize;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// A result of a flow.
+/// The result of one flow for one pipeline.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct SynthesisRow {
@@ -22,7 +22,7 @@ pub struct SynthesisRow {
     pub critical_path_ns: Option<f64>,
 }
 
-/// Ours and theirs, for each pipeline.
+/// The results of our flow and of yosys and ABC, for each pipeline.
 pub fn run(
     implementations: &[Implementation],
     liberty: &Path,
@@ -38,7 +38,7 @@ pub fn run(
     std::fs::create_dir_all(&folder)
         .with_context(|| format!("{}: cannot make the folder", folder.display()))?;
     let result = rows(implementations, liberty, (&version, &folder), progress);
-    // What is left there is of no use to anybody.
+    // Files that cannot be removed do no harm: the result is complete.
     let _ = std::fs::remove_dir_all(&folder);
     result
 }
@@ -80,7 +80,7 @@ fn ours(implementation: &Implementation, flow: String) -> SynthesisRow {
     }
 }
 
-/// The log of synthesis; with a driving cell and a load, ABC sizes cells and tells the delay.
+/// The log of synthesis. ABC is given a driving cell and a load, so that it sizes cells and reports the delay.
 fn yosys(implementation: &Implementation, folder: &Path) -> anyhow::Result<String> {
     let top = implementation.top.name();
     std::fs::write(folder.join(format!("{top}.v")), text(&implementation.design))?;
@@ -89,8 +89,8 @@ fn yosys(implementation: &Implementation, folder: &Path) -> anyhow::Result<Strin
     let load_ff = 4.0 * inverter.capacitance_ff[0];
     let constraint = format!("set_driving_cell {}\nset_load {load_ff}\n", inverter.name);
     std::fs::write(folder.join("cells.constr"), constraint)?;
-    // The pass that shares resources takes all memory on floating-point adders. Flip-flops of libraries have no initial
-    // value; reset is the pipeline's empty state.
+    // The pass that shares resources runs out of memory on floating-point adders. Flip-flops of libraries have no initial
+    // value, so the script drops those of our registers, with which the pipeline starts empty.
     let script = format!(
         "read_verilog {top}.v; synth -flatten -noshare -top {top}; setattr -unset init w:*; \
          dfflegalize -cell $_DFF_P_ x; dfflibmap -liberty cells.lib; \
@@ -110,7 +110,7 @@ fn yosys(implementation: &Implementation, folder: &Path) -> anyhow::Result<Strin
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
-/// The last statistics in a log, and ABC's delay.
+/// The result by the last statistics in a log and by ABC's delay.
 fn parse(implementation: &Implementation, log: &str, flow: String) -> anyhow::Result<SynthesisRow> {
     let flip_flop = &implementation.library.flip_flop;
     let statistics = log.rfind("Number of cells:").map(|at| &log[at..]);

@@ -10,16 +10,16 @@ use machine::program::{Kind, Program};
 use machine::results::Instructions;
 use rayon::prelude::*;
 
-/// What some pixels ask of the machine.
+/// The work that some pixels ask of the machine.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
-    /// Times that each run is executed.
+    /// How many times each run is executed.
     pub runs: Vec<u64>,
-    /// Instructions of the pixel with the most.
+    /// Instructions of the longest pixel.
     pub longest: u64,
-    /// Lines that are read at least once, a bit each.
+    /// One bit for each line: whether the line is read.
     lines: Vec<u64>,
-    /// Words that are stored.
+    /// Number of words stored.
     pub stores: u64,
 }
 
@@ -36,7 +36,7 @@ impl Asked {
         self
     }
 
-    /// Different lines read.
+    /// Number of distinct lines read.
     #[must_use]
     pub fn distinct_lines(&self) -> u64 {
         self.lines.iter().map(|word| u64::from(word.count_ones())).sum()
@@ -121,16 +121,16 @@ impl Ends {
     }
 }
 
-/// A lower bound with the resource that it is due to.
+/// A lower bound of the time, with the resource that sets it.
 #[derive(Clone, Debug)]
 pub struct Bound {
-    /// What would be counted in that time.
+    /// The counts of a frame that takes this time.
     pub counts: Counts,
-    /// The resource.
+    /// The resource that sets the bound.
     pub resource: String,
 }
 
-/// The least that `machine` needs for what is `asked`, `scale` times.
+/// The least time that `machine` needs for `scale` times the work `asked`.
 #[must_use]
 pub fn bound(
     machine: &MachineDescription,
@@ -145,7 +145,7 @@ pub fn bound(
     let mut counts = Counts { runs, ..Counts::default() };
     let instructions = Instructions::new(program, &counts);
     let tms = f64::from(machine.chip.tms());
-    // What is read more than once need not come from memory again; a sample's lines are some of the frame's.
+    // A line comes from memory at least once. The lines that a sample reads are a subset of those that the frame reads.
     let lines = asked.distinct_lines();
     let icache = &machine.icache;
     let fetches = f64::from(icache.caches) * f64::from(icache.banks) * f64::from(icache.fetches_per_bank);

@@ -1,25 +1,25 @@
-//! No more than the tolerance asks for: from the cheapest level and sample upwards.
+//! The choice of level and sample by a tolerance: from the cheapest ones upwards, until the result is within it.
 
 use super::{BIAS, Estimate, FidelityError, Level, Sample, Subject};
 
-/// Strata of the first sample: what the variance is judged by.
+/// Strata of the first sample, by which the variance is judged.
 const FIRST_PAIRS: u32 = 6;
-/// More than a sample is predicted to need, as its variance is itself estimated.
+/// Factor by which a sample exceeds its predicted size, because the prediction uses an estimated variance.
 const MARGIN: f64 = 1.3;
-/// From this share of the pixels on, the frame itself is the cheapest way to be sure.
+/// The share of pixels timed from which on a sample costs nearly as much as the whole frame, which is then simulated instead.
 const WHOLE_FROM: f64 = 0.7;
 
-/// A step on the way, with the reason for the next one.
+/// One estimate on the way to the result, with the reason to stop or to go on.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// What was found.
+    /// The estimate.
     pub estimate: Estimate,
-    /// Why it was enough, or not.
+    /// Why the estimate is sufficient or not.
     pub verdict: String,
 }
 
-/// Estimates the frame of `subject` until the 95 % intervals of time and energy are within `tolerance` of their values to
-/// either side. The last step is the result.
+/// Estimates the frame of `subject` on growing samples, until the 95 % intervals of time and energy reach no farther than
+/// `tolerance`, a fraction of the value, to either side. The last step is the result.
 ///
 /// # Errors
 /// [`FidelityError`].
@@ -57,7 +57,7 @@ pub fn auto(
     }
 }
 
-/// The sample of `pairs` strata, or the whole frame if that costs hardly more or nothing else can be within the tolerance.
+/// The sample of `pairs` strata, or the whole frame if it costs hardly more or if no sample can be within the tolerance.
 fn next_sample(
     subject: &Subject<'_>,
     tolerance: f64,
@@ -71,8 +71,9 @@ fn next_sample(
     Ok(if timed >= WHOLE_FROM || tolerance <= BIAS { Sample::ALL } else { sample })
 }
 
-/// Strata that bring an interval of `relative` half width within `tolerance`: its square goes with `1/n - 1/N` for `n`
-/// batches of `N`.
+/// The number of strata that brings an interval within `tolerance`, if `pairs` strata gave it the half width `relative`.
+///
+/// The square of the half width is proportional to `1/n - 1/N` for `n` of `N` batches.
 fn next_pairs(subject: &Subject<'_>, pairs: u32, relative: f64, tolerance: f64) -> u32 {
     let all = f64::from(subject.batches(1.0).drawable().max(1));
     let now = 1.0 / f64::from(2 * pairs) - 1.0 / all;

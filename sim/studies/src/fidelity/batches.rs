@@ -1,4 +1,4 @@
-//! A frame cut into batches of consecutive pixels, and which of them are timed.
+//! A frame cut into batches of consecutive pixels, and the choice of those that are timed.
 
 use base::split_mix;
 use machine::core::Plan;
@@ -9,23 +9,23 @@ use std::ops::Range;
 pub struct Batches {
     /// Pixels of the frame.
     pub items: u32,
-    /// Pixels of a batch; the last may have up to twice as many, less one.
+    /// Pixels of a batch. The last batch may have up to twice as many, less one.
     pub size: u32,
     /// Number of batches.
     pub count: u32,
-    /// How many of the last belong to the frame's end, which is measured as a whole.
+    /// Number of batches in the frame's end, which is measured as a whole.
     pub ends: u32,
 }
 
-/// Batches drawn, by stratum.
+/// The batches drawn from each stratum.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Draw {
-    /// For each stratum the number of batches in it, and those drawn, in order.
+    /// For each stratum, the number of its batches, and the indices of those drawn, in order.
     pub strata: Vec<(u32, Vec<u32>)>,
 }
 
 impl Draw {
-    /// The batches drawn, in order.
+    /// The indices of all batches drawn, in order.
     pub fn indices(&self) -> impl Iterator<Item = u32> + '_ {
         self.strata.iter().flat_map(|(_, drawn)| drawn.iter().copied())
     }
@@ -46,19 +46,19 @@ impl Batches {
         index * self.size..end
     }
 
-    /// Batches that are drawn from: all but the first and those of the end.
+    /// Number of batches that may be drawn: all but the first and those of the end.
     #[must_use]
     pub fn drawable(&self) -> u32 {
         self.count.saturating_sub(1 + self.ends)
     }
 
-    /// The same with an end of `ends` batches, or of all but the first.
+    /// The same batches with an end of `ends` batches, or of all but the first if there are fewer.
     #[must_use]
     pub fn with_end(self, ends: u32) -> Self {
         Self { ends: ends.clamp(1, self.count.max(2) - 1), ..self }
     }
 
-    /// Draws two batches from each of `pairs` strata, or all of them if that leaves none out.
+    /// Draws two batches from each of `pairs` strata, or draws all batches if these would be no fewer.
     #[must_use]
     pub fn draw(&self, pairs: u32, seed: u64) -> Draw {
         let drawable = self.drawable();
@@ -80,8 +80,8 @@ impl Batches {
         Draw { strata: (0..pairs).map(stratum).filter(|(count, _)| *count > 0).collect() }
     }
 
-    /// The plan that times the first batch, the end and the batches of `draw`, each behind `lead` pixels that are timed too.
-    /// Two marks for each measured batch, at its first pixel and behind its last.
+    /// The plan that times the first batch, the end and the batches of `draw`, each after `lead` pixels that are timed too. The
+    /// plan has two marks for each measured batch, at its first pixel and after its last.
     #[must_use]
     pub fn plan(&self, draw: &Draw, lead: u32, warming: u32) -> Plan {
         let mut marks = vec![];
@@ -118,7 +118,7 @@ mod tests {
             assert!(drawn.windows(2).all(|pair| pair[0] < pair[1]) && drawn[0] >= 1 && drawn[13] <= 101);
         }
         assert_ne!(batches.draw(7, 0), batches.draw(7, 1));
-        // Every batch is drawn sometimes.
+        // Over many seeds, every batch is drawn.
         let mut seen = [false; 103];
         for seed in 0..400 {
             let draw = batches.draw(7, seed);
@@ -134,7 +134,7 @@ mod tests {
         let plan = batches.plan(&draw, 5, 7);
         assert_eq!(plan.skipped, [10..25, 40..55, 70..85]);
         assert_eq!(plan.marks, [0, 10, 30, 40, 60, 70, 90, 100]);
-        // A lead that reaches into timed pixels leaves nothing out.
+        // Where a lead reaches into timed pixels, no pixel is left out.
         let early = Draw { strata: vec![(8, vec![1, 2])] };
         assert_eq!(batches.plan(&early, 25, 7).skipped, vec![Range { start: 30, end: 65 }]);
         let plan = batches.with_end(3).plan(&draw, 5, 7);

@@ -1,4 +1,4 @@
-//! How closely a frame is simulated, on how many of its rays, and how far off the result may be.
+//! Estimates of a frame's time and energy: the level of detail, the sample of pixels, and the confidence interval.
 //!
 //! | level | what is done |
 //! |---|---|
@@ -7,26 +7,32 @@
 //! | [`Level::Rtl`] | the same, and the pipelines' netlists execute every operation beside golden and are compared bit for bit |
 //!
 //! # The sample
-//! Threads take pixels from a shared counter, thousands at a time: the time of a frame is no sum of times of pixels or tiles.
-//! It is a sum over the *counter*: the frame is cut into batches of consecutive pixels ("wavefronts", as many pixels as the
-//! machine has threads, or more), and a batch's cycles are those between the counter's arrival at its first pixel and at
-//! the next batch's first. These do add up to the frame's time, with the last batch's up to the end.
+//! Thousands of threads take pixels from a shared counter at the same time, so the time of a frame is no sum of the times of
+//! pixels or tiles. It is a sum over the *counter*. The frame is cut into batches of consecutive pixels ("wavefronts", at least as
+//! many pixels as the machine has threads). A batch's cycles are those between the counter's arrival at the first pixel of the
+//! batch and its arrival at the first pixel of the next batch; those of the last batch extend to the end of the frame. The cycles
+//! of all batches add up to the frame's time.
 //!
-//! The machine is simulated in one go: first batch from cold caches, as in the frame; sampled batches, each behind
-//! a lead of pixels that are timed and not measured, so that threads and first-level caches are in the state of the
-//! frame; and the end, from the first pixel on that may still be on its way when the counter has run out, as single long
-//! pixels decide when the frame is over. What lies between is recorded and its lines put into
-//! the caches in no time. So start and end are measured, not estimated, and the cold start is counted once, as in the frame.
+//! One simulation runs through the whole frame and times three parts of it:
+//! * the first batch, from cold caches as in the frame;
+//! * the sampled batches. Each follows a lead of pixels that are timed but not measured, so that threads and first-level caches
+//!   are in the state that they have in the frame;
+//! * the end of the frame. It begins with the first pixel that may still be in flight when the counter runs out, because single
+//!   long pixels decide when the frame ends.
+//!
+//! The pixels between these parts are recorded, and their lines are put into the caches without taking time. So start and end are
+//! measured, not estimated, and the cold start is counted once, as in the frame.
 //!
 //! # The estimate
-//! What threads *execute* is known of all pixels, as recording them costs little beside timing them. Only how long it takes,
-//! and what reaches second-level caches and memory, is estimated: per instruction, by the ratio of sums over sampled
-//! batches ([`ratio`]). Batches of different work then differ little. Batches are drawn at random, two from each of equally
-//! long strata of the frame, so that neighbouring parts of the picture stand for each other, and the variance follows from the
-//! pairs (W. G. Cochran, "Sampling Techniques", 1977, sections 5A.12 and 6.11). The interval is Student's, with the
-//! degrees of freedom that the pairs show, widened by what warming is measured to miss ([`BIAS`]).
+//! The instructions that threads execute are known for all pixels, because recording a pixel costs little compared with timing
+//! it. Two quantities are estimated: the time that the instructions take, and the accesses that reach second-level caches and
+//! memory. Both are estimated per instruction, by the ratio of sums over sampled batches ([`ratio`]), so that batches of
+//! different work differ little. The frame is cut into strata of equal length, and two batches are drawn at random from each.
+//! Neighbouring parts of the picture then stand for each other, and the variance follows from the pairs (W. G. Cochran, "Sampling
+//! Techniques", 1977, sections 5A.12 and 6.11). The interval is Student's, with the degrees of freedom that the pairs show. It is
+//! widened by the error that warming was measured to leave ([`BIAS`]).
 //!
-//! [`auto`] starts at the cheapest level and adds what the tolerance asks for.
+//! [`auto`] starts at the cheapest level, and enlarges the sample until the result is within a tolerance.
 
 pub mod analytic;
 pub mod auto;
@@ -45,19 +51,19 @@ use machine::frame::FrameError;
 use serde::Serialize;
 use std::fmt;
 
-/// How closely a frame is simulated.
+/// The level of detail of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
-    /// Work over peak rates: a lower bound.
+    /// The largest of work over peak rate: a lower bound.
     Analytic,
-    /// The machine.
+    /// The machine is simulated.
     Transaction,
-    /// The machine with every pipeline operation executed by its netlist.
+    /// The machine is simulated, and the netlists execute every pipeline operation.
     Rtl,
 }
 
 impl Level {
-    /// All of them, the cheapest first.
+    /// All levels, the cheapest first.
     pub const ALL: [Self; 3] = [Self::Analytic, Self::Transaction, Self::Rtl];
 
     /// The name on the command line and in result files.
@@ -89,25 +95,25 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// Without uncertainty.
+    /// The interval of a value without uncertainty.
     #[must_use]
     pub fn exact(value: f64) -> Self {
         Self { value, low: value, high: value }
     }
 
-    /// `value` give or take `half`.
+    /// The interval from `value - half` to `value + half`.
     #[must_use]
     pub fn around(value: f64, half: f64) -> Self {
         Self { value, low: value - half, high: value + half }
     }
 
-    /// Half of its width as a fraction of the value.
+    /// Half of the interval's width as a fraction of the value.
     #[must_use]
     pub fn relative(&self) -> f64 {
         if self.high > self.low { (self.high - self.low) / 2.0 / self.value.abs() } else { 0.0 }
     }
 
-    /// Whether `x` lies inside.
+    /// Whether `x` lies in the interval.
     #[must_use]
     pub fn covers(&self, x: f64) -> bool {
         (self.low..=self.high).contains(&x)

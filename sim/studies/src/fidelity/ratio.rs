@@ -1,15 +1,15 @@
 //! Sums over a frame from sampled batches: the combined ratio estimator over strata.
 
-/// A sampled batch: the quantity, and the known quantity that it goes with.
+/// A sampled batch: the quantity to be estimated, and a known quantity that it is about proportional to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pair {
-    /// What is estimated.
+    /// The quantity whose sum over all batches is estimated.
     pub y: f64,
-    /// What is known of all batches together.
+    /// The quantity whose sum over all batches is known.
     pub x: f64,
 }
 
-/// Number of batches in a stratum, and those sampled.
+/// Number of batches in a stratum, and the batches sampled from it.
 pub type Stratum = (u32, Vec<Pair>);
 
 /// An estimated sum.
@@ -17,7 +17,7 @@ pub type Stratum = (u32, Vec<Pair>);
 pub struct Sum {
     /// The sum.
     pub value: f64,
-    /// Its standard error.
+    /// The standard error of the sum.
     pub error: f64,
     /// Degrees of freedom of the error.
     pub freedom: u32,
@@ -25,9 +25,10 @@ pub struct Sum {
 
 /// The sum of `y` over all batches of `strata`, whose sum of `x` is `known` (Cochran 1977, section 6.11).
 ///
-/// The residuals `y - R x` have a mean of their own in each stratum; their variance is that within strata. Where strata differ in
-/// spread, their sum has fewer degrees of freedom than theirs together: those of B. L. Welch, "The generalization of
-/// `Student's' problem when several different population variances are involved", Biometrika 34 (1947), rounded down.
+/// The residuals `y - R x` have a mean of their own in each stratum, so their variance is taken within strata. Where the strata
+/// differ in spread, the sum has fewer degrees of freedom than all strata together. Their number, rounded down, is that of
+/// B. L. Welch, "The generalization of `Student's' problem when several different population variances are involved",
+/// Biometrika 34 (1947).
 #[must_use]
 pub fn estimate(strata: &[Stratum], known: f64) -> Sum {
     let weighted = |of: fn(&Pair) -> f64| -> f64 {
@@ -66,8 +67,8 @@ pub fn estimate(strata: &[Stratum], known: f64) -> Sum {
 
 /// The 97.5 % point of Student's distribution.
 ///
-/// Up to 12 degrees of freedom from the table of any textbook, beyond by the expansion of Cornish and Fisher to the third
-/// order (Abramowitz, Stegun 26.7.5), which is within 1e-4 there.
+/// Points of up to 12 degrees of freedom come from a table. Beyond, the expansion of Cornish and Fisher to the third order
+/// (Abramowitz, Stegun 26.7.5) is within 1e-4 of the exact point.
 #[must_use]
 pub fn student(freedom: u32) -> f64 {
     const TABLE: [f64; 12] =
@@ -105,7 +106,7 @@ mod tests {
         assert!((sum.value - 300.0).abs() < 1e-9 && sum.error < 1e-9 && sum.freedom == 5);
     }
 
-    /// Of a made population, intervals cover the sum as often as they say, and the estimate is not biased.
+    /// For a synthetic population, 95 % intervals cover the sum in about 95 % of samples, and the estimate has no bias.
     #[test]
     fn intervals_cover_as_often_as_they_say() {
         let mut state = 7;

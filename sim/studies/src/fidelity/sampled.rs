@@ -1,4 +1,4 @@
-//! A frame at a level, on a sample.
+//! The estimate of a frame at one level, on one sample.
 
 use super::analytic;
 use super::batches::{Batches, Draw};
@@ -15,8 +15,8 @@ use render::RenderOptions;
 use scenes::Scene;
 use std::time::Instant;
 
-/// What warming misses, as a fraction of what is estimated: added to both sides of an interval. The mean error was
-/// below this in four of six scenes with a lead of half a fill (`docs/fidelity.md`).
+/// The error that warming leaves, as a fraction of the estimate. It is added to both sides of an interval. With a lead of half a
+/// fill, the mean error was below it in four of six scenes (`docs/fidelity.md`).
 pub const BIAS: f64 = 0.01;
 
 /// A frame that is to be estimated.
@@ -24,27 +24,27 @@ pub const BIAS: f64 = 0.01;
 pub struct Subject<'a> {
     /// The machine.
     pub machine: &'a FrameMachine,
-    /// What is looked at.
+    /// The scene that the frame shows.
     pub scene: &'a Scene,
-    /// What it is traced through, of the machine's kind.
+    /// The structure over the scene, of the kind that the machine's program traverses.
     pub structure: &'a Structure,
-    /// Size of the picture, test, mode, seed.
+    /// Size of the picture, test, mode and seed.
     pub options: &'a RenderOptions,
 }
 
 /// Which part of a frame is timed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Strata, of each of which two batches are timed; all batches if absent.
+    /// Number of strata, from each of which two batches are timed. If absent, all batches are timed.
     pub pairs: Option<u32>,
-    /// Draws the batches.
+    /// Seed of the draw of batches.
     pub seed: u64,
-    /// Pixels of a batch, in fills of the machine: 1 is as many as there are threads.
+    /// Pixels of a batch in fills of the machine. A fill is as many pixels as the machine has threads.
     pub batch_fills: f64,
-    /// Pixels before each batch that are timed and not measured, in fills of the machine; so many times as many where pixels
-    /// live for several fills.
+    /// Pixels before each batch that are timed but not measured, in fills of the machine. Where the longest pixels take several
+    /// fills, the lead is that many times longer.
     pub lead_fills: f64,
-    /// Whether the lines of what is left out go to the caches.
+    /// Whether the lines that pixels left out read are put into the caches.
     pub warms: bool,
 }
 
@@ -58,7 +58,7 @@ impl Sample {
         Self { pairs: Some(pairs), seed, ..Self::ALL }
     }
 
-    /// As many batches as the fraction `share` of a frame in `batches` has, at least two.
+    /// A sample of the fraction `share` of a frame in `batches`, and of at least two batches. A `share` of 1 is the whole frame.
     #[must_use]
     pub fn share(share: f64, batches: &Batches, seed: u64) -> Self {
         let drawn = share * f64::from(batches.drawable());
@@ -66,44 +66,44 @@ impl Sample {
     }
 }
 
-/// What is known of a frame.
+/// An estimate of a frame's counts, time and energy.
 #[derive(Clone, Debug)]
 pub struct Estimate {
-    /// How closely it was simulated.
+    /// The level of the simulation.
     pub level: Level,
-    /// Batches of the frame.
+    /// Number of batches in the frame.
     pub batches: u32,
-    /// Those measured.
+    /// Number of batches measured.
     pub measured: u32,
-    /// Pixels of the frame that were timed, measured or not.
+    /// The share of the frame's pixels that were timed, measured or not.
     pub timed_share: f64,
     /// The counts of the frame.
     pub counts: Counts,
-    /// What they come to.
+    /// Time and energy by these counts.
     pub results: Results,
-    /// Milliseconds of the frame; of a bound, the least.
+    /// Milliseconds of the frame; at the analytic level, a lower bound.
     pub frame_ms: Interval,
-    /// Millijoules of the frame; of a bound, the least.
+    /// Millijoules of the frame; at the analytic level, a lower bound.
     pub energy_mj: Interval,
-    /// Milliseconds and millijoules if everything timed, cold start and end included, simply stood for the rest: what the
-    /// estimate corrects.
+    /// Milliseconds and millijoules if all timed pixels, cold start and end included, stood for the rest. The estimate corrects
+    /// this value.
     pub plain: [f64; 2],
-    /// What bounds the time of an analytic bound.
+    /// The resource that sets the bound at the analytic level.
     pub bound_by: Option<String>,
-    /// Of all pixels recorded, which are all but those that an analytic sample leaves out.
+    /// Totals over all pixels recorded. Only an analytic sample leaves pixels unrecorded.
     pub totals: Totals,
-    /// Of the host.
+    /// Seconds of the host.
     pub seconds: f64,
 }
 
 impl Estimate {
-    /// Whether every pixel was timed: the frame itself.
+    /// Whether every pixel was timed, so that the estimate is the frame itself.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.level != Level::Analytic && self.timed_share >= 1.0
     }
 
-    /// Whether both intervals are within `tolerance`, a fraction of the value to either side.
+    /// Whether both intervals reach no farther than `tolerance`, a fraction of the value, to either side.
     #[must_use]
     pub fn is_within(&self, tolerance: f64) -> bool {
         self.level != Level::Analytic
@@ -120,14 +120,14 @@ impl<'a> Subject<'a> {
         machine.chip.tms() * machine.tm.threads
     }
 
-    /// The frame in batches of so many fills of the machine.
+    /// The frame in batches of `fills` fills of the machine.
     #[must_use]
     pub fn batches(&self, fills: f64) -> Batches {
         let size = (f64::from(self.threads()) * fills).round() as u32;
         Batches::new(self.options.width * self.options.height, size)
     }
 
-    /// The frame at `level` on `sample`. `pixels_done` is called with the number of pixels begun since its last call.
+    /// Estimates the frame at `level` on `sample`. `pixels_done` is called with the number of pixels begun since its last call.
     ///
     /// # Errors
     /// [`FidelityError`].
@@ -155,7 +155,7 @@ impl<'a> Subject<'a> {
         Ok(Results::new(&self.machine.description, self.machine.pipeline.as_ref(), program, counts)?)
     }
 
-    /// The bound, with the interval that the spread of the work between batches gives it.
+    /// The analytic bound, with an interval by the spread of work between batches.
     fn analytic(&self, sample: &Sample) -> Result<Estimate, FidelityError> {
         let start = Instant::now();
         let work = self.work(false)?;
@@ -175,8 +175,8 @@ impl<'a> Subject<'a> {
         let (mut frame_ms, mut energy_mj) =
             (Interval::exact(results.frame_ms), Interval::exact(results.energy_mj.total));
         if !whole {
-            // The spread of instructions stands for that of time and energy, which are in proportion but for the
-            // background.
+            // The spread of instructions stands for that of time and energy. Apart from background energy, both are
+            // proportional to instructions.
             let instructions = |asked: &analytic::Asked| {
                 let counts = Counts { runs: asked.runs.clone(), ..Counts::default() };
                 Instructions::new(&work.program, &counts).total as f64
@@ -207,7 +207,7 @@ impl<'a> Subject<'a> {
         })
     }
 
-    /// What of the frame is timed.
+    /// The parts of the frame that are timed.
     pub(super) fn plan(&self, sample: &Sample) -> Result<(Batches, Draw, Plan), FidelityError> {
         let batches = self.batches(sample.batch_fills);
         let Some(pairs) = sample.pairs else {
@@ -219,7 +219,7 @@ impl<'a> Subject<'a> {
         let lifetimes = Lifetimes::new(&self.work(false)?, &batches, line_words)?;
         let batches = batches.with_end(lifetimes.end_batches);
         let draw = batches.draw(pairs, sample.seed);
-        // Pixels that live long make the threads' mixture, which caches feel, take long to settle.
+        // The mix of pixels in flight determines what the caches hold. With long pixels, the mix takes longer to settle.
         let fills = sample.lead_fills.max((sample.lead_fills * lifetimes.longest_fills).min(MOST_LEAD_FILLS));
         let lead = (f64::from(self.threads()) * fills).round() as u32;
         let plan = batches.plan(&draw, lead, if sample.warms { u32::MAX } else { 0 });
@@ -264,7 +264,7 @@ impl<'a> Subject<'a> {
         })
     }
 
-    /// Time and energy in proportion to the instructions that were timed.
+    /// Time and energy of the frame, if both were proportional to the instructions that were timed.
     fn plain(&self, program: &Program, counts: &Counts) -> Result<[f64; 2], FidelityError> {
         let timed = Window::new(&Noted::of(counts));
         let scale = Instructions::new(program, counts).total as f64 / timed.instructions();
@@ -274,7 +274,7 @@ impl<'a> Subject<'a> {
         Ok([results.frame_ms, results.energy_mj.total])
     }
 
-    /// The frame's counts from those of a run of a sample, whose first and last batch stand for themselves.
+    /// The frame's counts, extrapolated from those of a sample. The first batch and the end are taken as measured.
     fn expanded(
         &self,
         program: &Program,
@@ -293,7 +293,7 @@ impl<'a> Subject<'a> {
         let known = Instructions::new(program, counts).total as f64;
         let middle = known - first.instructions() - last.instructions();
 
-        // Of each sampled batch, its share in the sums.
+        // The sampled batches of each stratum, with the number of batches that they stand for.
         let mut left = drawn.iter();
         let strata: Vec<(u32, Vec<&Window>)> = draw
             .strata
@@ -311,7 +311,7 @@ impl<'a> Subject<'a> {
         }));
         let mut estimated = sum.counts();
         estimated.runs.clone_from(&counts.runs);
-        // Every load and store is known, and that it is taken once.
+        // All loads were recorded, and the first-level cache takes each once: their number needs no estimate.
         let instructions = Instructions::new(program, counts);
         estimated.l1.loads = instructions.loads;
         let results = self.results(program, &estimated)?;
@@ -338,17 +338,17 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Most batches in which the frame's end is looked for.
+/// The most batches in which the frame's end is searched.
 const MOST_END_BATCHES: u32 = 16;
-/// Longest lead before a batch.
+/// The longest lead before a batch, in fills of the machine.
 const MOST_LEAD_FILLS: f64 = 4.0;
 
-/// How long pixels are on their way, in fills of the machine.
+/// How long pixels are in flight.
 struct Lifetimes {
-    /// Mean over batches of the longest pixel's.
+    /// Fills of the machine that the longest pixel of a batch takes, mean over batches.
     longest_fills: f64,
-    /// Batches of the frame's end: from the first pixel on that may still be on its way when the counter has run out. Of those, a
-    /// few long ones decide when the frame is over, and no others can stand for them.
+    /// Batches of the frame's end, which begins with the first pixel that may still be in flight when the counter runs out. A few
+    /// long pixels of the end decide when the frame ends, and no other pixels can stand for them.
     end_batches: u32,
 }
 

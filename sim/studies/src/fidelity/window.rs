@@ -1,8 +1,8 @@
-//! What is counted in a part of a run, as numbers that can be scaled and added.
+//! The counts of a part of a simulation, as numbers that can be scaled and added.
 
 use machine::core::{CacheCounts, Counts, DramCounts, Noted, ThreadCycles};
 
-/// Everything counted in a part of a run, or estimated, as real numbers.
+/// All counts of a part of a simulation, or estimates of them, as real numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window(pub(super) [f64; Self::FIELDS]);
 
@@ -41,7 +41,7 @@ impl Window {
         self.0[1] + self.0[6]
     }
 
-    /// As counts, rounded, without runs.
+    /// The rounded counts, without runs.
     pub(super) fn counts(&self) -> Counts {
         let n: [u64; Self::FIELDS] = self.0.map(|field| field.round().max(0.0) as u64);
         let [cycles, issue, data, units, memory, fetch, nop, halted, rest @ ..] = n;

@@ -1,4 +1,4 @@
-//! The pipelines' netlists beside golden's steps, one operation at a time in the compiled simulation.
+//! The pipelines' netlists, compared with golden's steps one operation at a time in the compiled simulation.
 
 use golden::Aabb;
 use golden::bvh::BoxStep;
@@ -31,7 +31,7 @@ fn step(words: [u32; 3], ray: &PlaneRay, [t_min, t_max]: [f32; 2], golden: &Step
     bits(&step) == bits(golden)
 }
 
-/// Everything that a step's return code makes valid.
+/// The bits of all outputs that a step's return code declares valid.
 fn bits(step: &Step) -> (u8, [Option<[u32; 3]>; 2]) {
     use golden::dst::Code;
     let child = |child: &Child| [child.offset, child.t_min.to_bits(), child.t_max.to_bits()];
@@ -58,7 +58,7 @@ mod tests {
     use golden::{Mode, TraversalRay};
     use render::CameraRays;
 
-    /// One unit in the last place of any valid word is seen.
+    /// A difference of one unit in the last place of any valid word is noticed.
     #[test]
     fn a_wrong_bit_is_a_difference() {
         let scene = scenes::procedural::build("courtyard", 0.001, 0).unwrap();
@@ -88,6 +88,6 @@ mod tests {
             assert!(box_test(&dst.root_box, &planes, ray.t_max, &test));
             assert!(!box_test(&dst.root_box, &planes, ray.t_max, &BoxStep { hit: !test.hit, ..test }));
         }
-        assert!(two > 0);
+        assert_eq!(two, 32, "half of the rays visit both children");
     }
 }

@@ -1,16 +1,16 @@
-//! How long the chains of carve nodes are that rays pass through.
+//! The lengths of the chains of carve nodes that rays pass through.
 
 use golden::dst::header::{CARVE, LEAF, OFFSET};
 use golden::dst::{Dst, MAX_CARVES};
 use golden::traverse::{Node, Observer};
 
-/// Visits of carve nodes by their place in their chain: the first counts at 0.
+/// Counts visits of carve nodes by the node's place in its chain. The first place is 0.
 #[derive(Clone, Debug)]
 pub struct CarveLevels<'a> {
     dst: &'a Dst,
     /// Visits by place in the chain.
     pub visits: [u64; MAX_CARVES],
-    /// Where the carve node visited last leads, and its place.
+    /// The child of the carve node visited last, and the place of that carve node.
     previous: Option<(u32, usize)>,
 }
 
@@ -27,7 +27,7 @@ impl Observer for CarveLevels<'_> {
         let offset = (node.address / 4) as u32;
         let header = self.dst.node(offset)[0];
         let is_carve = CARVE.get(header) == 1;
-        // A carve node is read right after the one that leads to it, if that was not missed.
+        // Where a carve node leads to another, the ray visits the two one after the other, unless it misses the first.
         let place = match self.previous {
             Some((target, place)) if is_carve && target == offset => place + 1,
             _ => 0,

@@ -1,4 +1,4 @@
-//! Needs as files: the machine and the pipeline, and a chart of each knee.
+//! The needs as files: the machine and the pipeline, and a chart of each knee.
 
 use super::reuse::LINE_BYTES;
 use super::study::Needs;
@@ -7,9 +7,9 @@ use machine::description::MachineDescription;
 use serde::Serialize;
 use view::plot::{Axis, Chart, Point, Series, Style};
 
-/// The machine's caches have banks: none is smaller than this.
+/// The smallest cache of the machine, which has banks.
 const LEAST_CACHE_BYTES: u64 = 1 << 10;
-/// What a description may hold.
+/// The most multiprocessors that a machine description allows.
 const MOST_TMS: u32 = 1 << 12;
 
 /// The machine and the pipeline as a file.
@@ -68,7 +68,7 @@ pub fn toml(d: &Needs) -> anyhow::Result<String> {
     Ok(::toml::to_string(&toml)?)
 }
 
-/// The preset machine with this cache and number of multiprocessors, for `dualsplit simulate --machine`.
+/// The preset machine with the needed cache and number of multiprocessors, for `dualsplit simulate --machine`.
 pub fn machine(d: &Needs) -> anyhow::Result<MachineDescription> {
     let preset = MachineDescription::load("trax", &[])?;
     let partitions = preset.chip.l2_partitions;
@@ -82,7 +82,7 @@ pub fn machine(d: &Needs) -> anyhow::Result<MachineDescription> {
     Ok(MachineDescription::load("trax", &settings)?)
 }
 
-/// File names without their ending, and drawings.
+/// The charts with their file names, which lack the extension.
 pub fn charts(d: &Needs) -> Vec<(&'static str, Chart)> {
     let line = |name: &str, points: Vec<(f64, f64, bool)>| Series {
         name: name.to_owned(),

@@ -1,9 +1,9 @@
-//! Where a curve of diminishing returns bends.
+//! The knee of a curve of diminishing returns.
 
-/// Index of the point farthest below the straight line between both ends, positions and values scaled to 0..1.
+/// Index of the point that lies farthest below the straight line between both ends, with positions and values scaled to 0..1.
 ///
-/// After Satopaa, Albrecht, Irwin, Raghavan, "Finding a 'Kneedle' in a haystack", ICDCSW 2011, for one falling curve without
-/// noise. The first of several; the first point of a curve that does not fall.
+/// The method is that of Satopaa, Albrecht, Irwin, Raghavan, "Finding a 'Kneedle' in a haystack", ICDCSW 2011, for one falling
+/// curve without noise. Among equally far points the first is returned, and for a curve that does not fall its first point.
 ///
 /// # Panics
 /// If there is no point.

@@ -1,10 +1,10 @@
-//! An analytic bound: from how many multiprocessors on memory, not traversal, limits the frame.
+//! An analytic bound: the number of multiprocessors from which on memory, not traversal, limits the frame.
 //!
-//! Each multiprocessor is given all that its pipelines can do: one node and one triangle a cycle. Each has a cache of its own,
-//! and every miss moves a line from DRAM, whose peak rate all share. Latency, queues, banks and shared caches are left out: a
-//! machine with fewer multiprocessors than this cannot be bound by bandwidth; one with more may be.
+//! Each multiprocessor works at the peak rate of its pipelines: one node and one triangle a cycle. Each has a cache of its own.
+//! Every miss moves a line from DRAM, whose peak rate all multiprocessors share. The bound neglects latency, queues, banks and
+//! shared caches. With fewer multiprocessors than the bound, bandwidth cannot limit the machine; with more, it may.
 
-/// What the bound is made of.
+/// The quantities that the bound follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Traffic {
     /// Cycles that one ray occupies a multiprocessor's busiest pipeline.
@@ -17,7 +17,7 @@ pub struct Traffic {
 /// (simtrax, `gddr5_8ch.cfg`, which has 16).
 pub const DRAM_BYTES_PER_CYCLE: f64 = 16.0 * 64.0 / 4.0 * 2.0;
 
-/// The least number of multiprocessors that asks for all of DRAM's bandwidth; none if a ray moves nothing.
+/// The least number of multiprocessors that use up the bandwidth of DRAM; `None` if a ray moves no bytes.
 #[must_use]
 pub fn multiprocessors_until_bound(traffic: &Traffic) -> Option<u32> {
     let bytes_per_cycle = traffic.bytes_per_ray / traffic.cycles_per_ray;

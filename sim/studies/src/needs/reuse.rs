@@ -1,7 +1,7 @@
-//! Misses of every size of cache at once, from the reuse distances of one stream of addresses.
+//! The misses of caches of all sizes, from the reuse distances of one stream of addresses.
 //!
-//! A fully associative cache of `n` lines that replaces the line used least recently hits exactly the accesses before
-//! which fewer than `n` other lines were used since the line's last use (Mattson, Gecsei, Slutz, Traiger, "Evaluation
+//! A fully associative cache of `n` lines with LRU replacement hits an access exactly if fewer than `n` other lines were used
+//! since the last use of the same line (Mattson, Gecsei, Slutz, Traiger, "Evaluation
 //! techniques for storage hierarchies", IBM Systems Journal 9(2), 1970). Distances are counted in a Fenwick tree over time.
 
 use golden::traverse::{Node, Observer};
@@ -10,7 +10,7 @@ use golden::triangle::Triangle;
 /// Bytes of a line, as in the published machine.
 pub const LINE_BYTES: u64 = 64;
 
-/// Collects the lines that a traversal reads: nodes from address 0, triangles behind them.
+/// Collects the lines that a traversal reads. Nodes begin at address 0, and triangles follow them.
 #[derive(Clone, Debug, Default)]
 pub struct LineStream {
     /// Numbers of the lines, in the order of access.
@@ -19,7 +19,7 @@ pub struct LineStream {
 }
 
 impl LineStream {
-    /// The stream of a structure with `node_bytes` bytes of nodes.
+    /// An empty stream for a structure with `node_bytes` bytes of nodes.
     #[must_use]
     pub fn new(node_bytes: usize) -> Self {
         Self { lines: vec![], triangles_at: (node_bytes as u64).next_multiple_of(LINE_BYTES) }
@@ -42,14 +42,14 @@ impl Observer for LineStream {
     }
 }
 
-/// How many accesses have each reuse distance.
+/// The number of accesses with each reuse distance.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReuseDistances {
     /// Accesses by the number of other lines used since the line's last use.
     counts: Vec<u64>,
-    /// First uses.
+    /// Number of accesses to a line that was not used before.
     pub first_uses: u64,
-    /// All accesses.
+    /// Number of all accesses.
     pub accesses: u64,
 }
 
@@ -58,7 +58,7 @@ impl ReuseDistances {
     #[must_use]
     pub fn of(lines: &[u32]) -> Self {
         let distinct = lines.iter().max().map_or(0, |last| *last as usize + 1);
-        // Time of each line's last use, from 1; 0 before the first.
+        // Time of each line's last use, counted from 1; 0 before the first use.
         let mut last_use = vec![0usize; distinct];
         let mut uses = Fenwick::new(lines.len());
         let mut distances = Self { accesses: lines.len() as u64, ..Self::default() };
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
     use std::collections::VecDeque;
 
-    /// A cache, simulated line by line.
+    /// Misses of a cache that is simulated access by access.
     fn simulated_misses(lines: &[u32], capacity: usize) -> u64 {
         let mut cache = VecDeque::new();
         let mut misses = 0;

@@ -1,4 +1,4 @@
-//! The study: all needs of one scene within an error budget, written with a chart of each knee.
+//! The study of needs: all needs of one scene within an error budget, with a chart of each knee.
 
 use super::carves::CarveLevels;
 use super::files;
@@ -27,8 +27,8 @@ use std::path::PathBuf;
 const CACHE_LOG2_BYTES: RangeInclusive<u32> = 8..=22;
 /// Significands that are tried.
 const SIGNIFICAND_BITS: RangeInclusive<u32> = 4..=24;
-/// A format that visits more than so many times the nodes of binary32 is not traced to the end, and none below it is tried:
-/// the knee lies far behind, and with too few bits every ray visits the whole tree.
+/// A format with more than this many times the node visits of binary32 is not traced to the end, and no narrower one is tried. Its
+/// visits lie far beyond the knee, and with too few bits every ray visits the whole tree.
 const MOST_VISITS: f64 = 16.0;
 /// Exponents that are tried.
 const EXPONENT_BITS: RangeInclusive<u32> = 3..=8;
@@ -38,27 +38,27 @@ const EXPONENT_BITS: RangeInclusive<u32> = 3..=8;
 pub struct Options {
     /// The scene, whose seed is also that of the rays.
     pub scene: SceneSource,
-    /// Which rays.
+    /// The test: primary and shadow rays, or paths.
     pub test: Test,
-    /// How narrow formats round.
+    /// How traversal in narrow formats rounds.
     pub variant: Variant,
-    /// Greatest root mean square error of linear radiance against binary32.
+    /// The greatest root mean square error of linear radiance against binary32.
     pub max_image_error: f64,
-    /// Greatest number of rays that hit nothing and should.
+    /// The greatest number of rays that lose their hit.
     pub max_false_miss: u64,
-    /// Node visits beyond those of binary32, as a fraction of them.
+    /// The greatest number of node visits beyond those of binary32, as a fraction of the latter.
     pub max_extra_visits: f64,
-    /// Of the tree.
+    /// How the tree is built.
     pub quality: Quality,
     /// Width and height of the image in pixels.
     pub size: [u32; 2],
-    /// The folder that is written; without, `needs-` and the scene's name.
+    /// The folder that is written; if absent, `needs-` and the scene's name.
     pub out: Option<PathBuf>,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
-/// What a scene needs, and how that was found.
+/// The needs of a scene, and the measurements that they follow from.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Needs {
@@ -69,20 +69,20 @@ pub struct Needs {
     pub max_image_error: f64,
     pub max_false_miss: u64,
     pub max_extra_visits: f64,
-    /// The sweeps end before the first format that visits more than this many times the nodes of binary32.
+    /// Each sweep ends before the first format with more than this many times the node visits of binary32.
     pub most_visits: f64,
-    /// Those formats.
+    /// The formats that ended the sweeps.
     pub beyond_most_visits: Vec<String>,
     pub variant: &'static str,
     pub significand_bits: u32,
     pub exponent_bits: u32,
-    /// The narrowest format of `dualsplit export` that has as many bits of both.
+    /// The narrowest format of `dualsplit export` that has at least as many exponent and significand bits.
     pub export_format: Option<&'static str>,
     pub stack_entries: u32,
     pub address_bits: u32,
     pub carve_levels: usize,
     pub cache_bytes: u64,
-    /// Absent where nothing misses the cache.
+    /// The number of multiprocessors; absent if no access misses the cache.
     pub tms: Option<u32>,
     pub tms_method: &'static str,
     pub significand_sweep: Vec<PrecisionPoint>,
@@ -92,7 +92,7 @@ pub struct Needs {
     pub artifacts: Vec<String>,
 }
 
-/// A cache and how much misses it.
+/// The miss ratio of a cache of some size.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct CachePoint {
@@ -120,7 +120,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Needs> {
     let reference = sweep.reference_counters.node_visits as f64;
     let most_visits = MOST_VISITS.max(2.0 * (1.0 + args.max_extra_visits));
     let mut beyond_most_visits = vec![];
-    // Up to the first that visits too many.
+    // The points of `precisions` up to the first format with too many visits.
     let mut points = |precisions: Vec<Precision>| {
         let mut points = vec![];
         for precision in precisions {
@@ -144,7 +144,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Needs> {
             && p.false_misses <= args.max_false_miss
             && p.node_visits as f64 <= reference * (1.0 + args.max_extra_visits)
     };
-    // The narrowest of an unbroken row from the widest: a lucky one below a failure does not count.
+    // The narrowest format of an unbroken row from the widest. One that fits below a failure does so by luck.
     let Some(significand) = significand_sweep.iter().take_while(|p| fits(p)).last() else {
         bail!(
             "{}: no format up to binary32 stays within the budget in the {} variant; raise --max-image-error, \
@@ -214,7 +214,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Needs> {
     Ok(Needs { artifacts, ..needs })
 }
 
-/// What binary32 robust traversal reads, one ray after the other, and the carve nodes that it passes.
+/// The lines that binary32 robust traversal reads, one ray after the other, and its visits of carve nodes by place in the chain.
 fn observe(dst: &Dst, sweep: &Sweep<'_>) -> (Vec<u32>, [u64; golden::dst::MAX_CARVES]) {
     let mut lines = LineStream::new(dst.node_bytes());
     let mut carves = CarveLevels::new(dst);
@@ -230,7 +230,7 @@ fn observe(dst: &Dst, sweep: &Sweep<'_>) -> (Vec<u32>, [u64; golden::dst::MAX_CA
     (lines.lines, carves.visits)
 }
 
-/// The narrowest format that modules exist for and that has all bits of `format`.
+/// The narrowest format that modules exist for and that has at least as many exponent and significand bits as `format`.
 fn export_format(format: Format) -> Option<StandardFormat> {
     let holds = |f: &StandardFormat| {
         let f = f.format();

@@ -1,4 +1,4 @@
-//! The main job: all results in one folder, with a page that shows them.
+//! The main job: it writes all results to one folder, with a page that shows them.
 
 mod page;
 mod presets;
@@ -33,7 +33,7 @@ pub use stages::{Command, Finding};
 /// The structures whose heat maps the report shows.
 const SHOWN: [StructureKind; 2] = [StructureKind::Bvh2, StructureKind::Dst];
 
-/// What is done, and where it is written.
+/// The extent of the job, and the folder for its results.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// `smoke`, `quick` or `paper`.
@@ -42,33 +42,35 @@ pub struct Options {
     pub out: PathBuf,
     /// How plane distances are rounded.
     pub mode: Mode,
-    /// Seed of everything.
+    /// Seed of scenes, samples and stimuli.
     pub seed: u64,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
-/// What was done.
+/// The results of the job.
 #[derive(Debug)]
 pub struct Reproduction {
-    /// Trees and work.
+    /// Trees and work of all scenes.
     pub document: Document,
-    /// All files, in order.
+    /// The paths of all files, in order.
     pub artifacts: Vec<String>,
-    /// Of the host.
+    /// Seconds of the host.
     pub seconds: f64,
     /// The commands in which a check found a difference.
     pub differences: Vec<String>,
 }
 
-/// Does the main job, or goes on with one that was interrupted. `command` runs a command of the tool.
+/// Does the main job, or continues one that was interrupted. `command` runs a command of the tool.
 ///
 /// # Errors
 /// There is no such preset, a part of the job fails, or a file cannot be written.
 pub fn run(args: &Options, command: Command<'_>, progress: &dyn Progress) -> anyhow::Result<Reproduction> {
     let start = Instant::now();
     let preset = PRESETS.iter().find(|preset| preset.name == args.preset);
-    let preset = preset.with_context(|| format!("--preset {}: there is no such preset", args.preset))?;
+    let preset = preset.with_context(|| {
+        format!("--preset {}: there is no such preset; name smoke, quick or paper", args.preset)
+    })?;
     let mut artifacts = Artifacts::create(&args.out, args.force)?;
     let options = RenderOptions {
         seed: args.seed,
@@ -102,7 +104,7 @@ pub fn run(args: &Options, command: Command<'_>, progress: &dyn Progress) -> any
         for file in files(entry.name) {
             ensure!(
                 artifacts.keep(&file),
-                "{}: the file is gone that the interrupted run made; remove {0}/stages to begin anew",
+                "{}: a file of the interrupted run is missing; remove {0}/stages to begin anew",
                 args.out.display()
             );
         }
@@ -174,7 +176,7 @@ fn image_file(scene: &str, test: Test) -> String {
 }
 
 impl Pictures {
-    /// Those that the page shows.
+    /// Reads the pictures that the page shows.
     fn read(folder: &Path) -> anyhow::Result<Self> {
         let picture = |file: &str, caption: String| -> anyhow::Result<Picture> {
             let path = folder.join(file);
@@ -193,7 +195,7 @@ impl Pictures {
     }
 }
 
-/// Measures both tests in every structure, makes sure that all give one picture, and writes heat maps and pictures.
+/// Measures both tests in every structure, checks that all structures give the same picture, and writes heat maps and pictures.
 fn renders(
     scene: &Scene,
     built: &Built,
@@ -244,7 +246,7 @@ fn renders(
     Ok(results)
 }
 
-/// Whether two renderings are equal bit for bit in all but the work that they took.
+/// Whether two renderings are equal bit for bit, except for their counters of work.
 fn same_picture(a: &Rendering, b: &Rendering) -> bool {
     let bits = |r: &Rendering| {
         let pixel = |p: &render::Pixel| {

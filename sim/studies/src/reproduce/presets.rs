@@ -1,4 +1,4 @@
-//! How large the main job is.
+//! The sizes of the main job.
 
 use super::stages::Stage;
 use golden::build::Quality;
@@ -6,27 +6,27 @@ use scenes::procedural::CATALOGUE;
 
 /// A size of the job.
 pub struct Preset {
-    /// On the command line.
+    /// The name on the command line.
     pub name: &'static str,
-    /// About this many triangles to a scene, but not fewer than its coarsest level has.
+    /// The approximate number of triangles of a scene, which is never below that of the scene's coarsest level.
     pub triangles: f64,
-    /// Of all trees.
+    /// How all trees are built.
     pub quality: Quality,
-    /// Side of the renderings in which work is counted, in pixels, with one sample each.
+    /// Width and height in pixels of the renderings in which work is counted. They have one sample per pixel.
     pub measured_side: u32,
-    /// Side of the pictures.
+    /// Width and height of the pictures in pixels.
     pub picture_side: u32,
     /// Samples per pixel of the pictures.
     pub picture_samples: u32,
-    /// About how many seconds trees, work and pictures of a scene take on two cores.
+    /// The approximate seconds that trees, work and pictures of a scene take on two cores.
     pub scene_seconds: f64,
-    /// The other parts.
+    /// The other parts of the job.
     pub stages: fn() -> Vec<Stage>,
 }
 
 /// All sizes.
 pub const PRESETS: [Preset; 3] = [
-    // To see in seconds whether everything works.
+    // A test of all parts, which takes seconds.
     Preset {
         name: "smoke",
         triangles: 1.0,
@@ -37,7 +37,7 @@ pub const PRESETS: [Preset; 3] = [
         scene_seconds: 0.5,
         stages: smoke,
     },
-    // It has five minutes on two cores.
+    // The default, which has to end within five minutes on two cores.
     Preset {
         name: "quick",
         triangles: 60_000.0,
@@ -48,7 +48,7 @@ pub const PRESETS: [Preset; 3] = [
         scene_seconds: 6.0,
         stages: quick,
     },
-    // Everything at full size: the study takes most of its hours.
+    // Everything at full size. The job takes hours, most of them for the study.
     Preset {
         name: "paper",
         triangles: f64::INFINITY,
@@ -61,7 +61,7 @@ pub const PRESETS: [Preset; 3] = [
     },
 ];
 
-/// A machine of two multiprocessors: small frames keep it busy.
+/// A machine of two multiprocessors, which small frames keep busy.
 const SMALL: &str = "--set chip.l2_partitions=1 --set chip.tms_per_partition=2";
 
 fn smoke() -> Vec<Stage> {
@@ -114,7 +114,7 @@ fn paper() -> Vec<Stage> {
         Stage::new("check", 60.0, "check --vectors 10000000"),
         Stage::new("estimate", 60.0, "estimate --detail 0.1"),
     ];
-    // One part for each scene; all of them write the same folder, where each finds what the others have done.
+    // One part for each scene. All parts write to the same folder, where each finds the runs of the others.
     stages.extend(CATALOGUE.iter().map(|entry| Stage {
         folder: "study".to_owned(),
         ..Stage::new(

@@ -1,4 +1,4 @@
-//! What the main job finds out, as it stands in `results.json`.
+//! The results of the main job, as `results.json` has them.
 
 use crate::trees::StructureRow;
 use crate::work::ClassRow;
@@ -7,7 +7,7 @@ use render::{Rendering, Test};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
-/// All results.
+/// The results of all scenes.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Document {
@@ -22,7 +22,7 @@ pub struct Document {
     pub scenes: Vec<SceneResult>,
 }
 
-/// One scene.
+/// The results of one scene.
 #[derive(Debug, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct SceneResult {
@@ -34,7 +34,7 @@ pub struct SceneResult {
     pub renders: Vec<RenderResult>,
 }
 
-/// One test of one scene in one structure.
+/// The work of one test of one scene in one structure.
 #[derive(Debug, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct RenderResult {
@@ -51,7 +51,7 @@ pub struct RenderResult {
 }
 
 impl RenderResult {
-    /// What `rendering` has cost.
+    /// The work that `rendering` took.
     pub fn new(kind: StructureKind, test: Test, rendering: &Rendering) -> Self {
         let total = rendering.total();
         let per_ray = |x: u64| x as f64 / total.rays.max(1) as f64;

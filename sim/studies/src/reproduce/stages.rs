@@ -1,7 +1,7 @@
 //! The parts of the main job: each is a command of the tool with the options that the report shows beside its results.
 //!
-//! The result of each part stands under `stages/`. As long as the job is not complete, the same job, started again by the
-//! same program, takes them from there.
+//! The result of each part is written to `stages/`. If the job is interrupted, the same job of the same program continues with
+//! the results that it finds there.
 
 use crate::artifacts::Artifacts;
 use crate::input::display;
@@ -18,38 +18,38 @@ use std::time::{Instant, UNIX_EPOCH};
 pub struct Stage {
     /// Name of its result file.
     pub name: String,
-    /// The folder that it fills, if it fills one.
+    /// The folder that the command writes, if it writes one.
     pub folder: String,
-    /// Words of the command; [`FOLDER`] stands for the folder.
+    /// Words of the command, in which [`FOLDER`] stands for the folder.
     pub words: Vec<String>,
-    /// About how many seconds it takes on two cores, to tell how long the rest takes.
+    /// The approximate seconds that the command takes on two cores. The estimate of the time left uses them.
     pub seconds: f64,
 }
 
-/// The folder of a stage, in its command.
+/// The placeholder for a stage's folder in its command.
 pub const FOLDER: &str = "OUT";
 
-/// What a command has found.
+/// The result of a command.
 pub struct Finding {
-    /// Its JSON document.
+    /// The command's JSON document.
     pub report: Value,
-    /// Whether a check has found a difference.
+    /// Whether a check found a difference.
     pub difference: bool,
 }
 
-/// Runs a command of the tool: the words that are typed, the name of the program first.
+/// A function that runs a command of the tool. It takes the words of the command line, beginning with the program's name.
 pub type Command<'a> = &'a dyn Fn(&[String]) -> anyhow::Result<Finding>;
 
-/// What a part has found.
+/// The result of a part, with its command.
 #[derive(Clone, Serialize, Deserialize)]
 pub struct Outcome {
     /// The command that was run, as typed.
     pub command: String,
-    /// Its JSON document.
+    /// The command's JSON document.
     pub report: Value,
-    /// Whether a check has found a difference.
+    /// Whether a check found a difference.
     pub difference: bool,
-    /// Of the host.
+    /// Seconds of the host.
     pub seconds: f64,
 }
 
@@ -61,25 +61,25 @@ impl Stage {
     }
 }
 
-/// A job in a folder, with what an interrupted run of it has left there.
+/// A job in a folder. It takes the results that an interrupted run left there.
 pub struct Job<'a> {
     folder: &'a Path,
     seed: u64,
     command: Command<'a>,
     progress: &'a dyn Progress,
     resumed: bool,
-    /// For each part done in this run, the seconds that it took over those that it was expected to take.
+    /// For each part done in this run, the seconds that it took over the seconds expected.
     paces: Vec<f64>,
-    /// Seconds that those ahead are expected to take.
+    /// The seconds expected for all parts ahead.
     ahead: f64,
     left: usize,
 }
 
-/// Says which job has not been completed.
+/// The file that identifies the job in the folder until it is complete.
 const UNFINISHED: &str = "stages/unfinished.json";
 
 impl<'a> Job<'a> {
-    /// Begins `job`, or goes on with it; `seconds` are those of `parts` parts together.
+    /// Begins `job`, or continues it. All of its `parts` parts are expected to take `seconds` together.
     pub fn begin(
         folder: &'a Path,
         job: &str,
@@ -91,7 +91,7 @@ impl<'a> Job<'a> {
         let identity = format!("{job}, seed {}, {}\n", seed, program()?);
         let resumed = fs::read_to_string(folder.join(UNFINISHED)).is_ok_and(|text| text == identity);
         if !resumed {
-            // What an earlier job has left must not be mistaken for results of this program.
+            // Files of an earlier job must not be mistaken for results of this program.
             for folder in folders.iter().map(|name| folder.join(name)).filter(|folder| folder.is_dir()) {
                 Artifacts::create(&folder, false)?.finish()?;
             }
@@ -100,7 +100,7 @@ impl<'a> Job<'a> {
         Ok(Self { folder, seed, command, progress, resumed, paces: vec![], ahead: seconds, left: parts })
     }
 
-    /// The result of part `name`, from an interrupted run or from `make`, which is expected to take so many seconds.
+    /// The result of part `name`, from an interrupted run or from `make`, which is expected to take `seconds`.
     pub fn part<T: Serialize + serde::de::DeserializeOwned>(
         &mut self,
         name: &str,
@@ -125,8 +125,8 @@ impl<'a> Job<'a> {
         Ok(result)
     }
 
-    /// What is still to be done, by the expected times and how they compared so far. The median is taken: a part that finds most of
-    /// its runs done takes no time, and says nothing about the others.
+    /// The number of parts left, and the expected time for them, scaled by the median pace of the parts done. A part that finds
+    /// most of its runs done takes almost no time, which would distort a mean.
     fn time_left(&self, seconds: f64) -> String {
         let mut paces = self.paces.clone();
         paces.sort_by(f64::total_cmp);
@@ -155,13 +155,13 @@ impl<'a> Job<'a> {
         })
     }
 
-    /// The job is complete: nothing is left to go on with.
+    /// Completes the job, so that a later run begins anew.
     pub fn finish(self, artifacts: &mut Artifacts) {
         artifacts.drop(UNFINISHED);
     }
 }
 
-/// The running program: results of another build are not taken over.
+/// A text that identifies the running program, so that a job never continues with results of another build.
 fn program() -> anyhow::Result<String> {
     let path = std::env::current_exe()?;
     let file = fs::metadata(&path).with_context(|| display(&path))?;

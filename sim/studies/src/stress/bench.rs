@@ -1,4 +1,4 @@
-//! Methods over cases, counted.
+//! Runs of methods on cases, with counts of their wrong results.
 
 use super::{Instance, Method, Structures};
 use base::split_mix;
@@ -15,7 +15,7 @@ use stress::aimed::{Aim, Aimed};
 use stress::cases::Case;
 use stress::oracle::Oracle;
 
-/// How one method did in one case; all numbers count rays.
+/// Counts of one method in one case. All integers count rays.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Cell {
     /// The method.
@@ -24,23 +24,23 @@ pub struct Cell {
     pub case: String,
     /// Rays traced.
     pub rays: u64,
-    /// Something is exactly hit, nothing found.
+    /// Rays that exactly hit something and find nothing.
     pub false_misses: u64,
-    /// Nothing is exactly hit, something found.
+    /// Rays that exactly hit nothing and find something.
     pub false_hits: u64,
-    /// What is found is not at the exactly least distance.
+    /// Rays that find a triangle which is not at the exactly least distance.
     pub wrong_nearest: u64,
-    /// The result is no number.
+    /// Rays whose result is NaN.
     pub nan: u64,
-    /// The result is not that of testing every triangle, bit for bit.
+    /// Rays whose result differs in some bit from that of testing every triangle.
     pub lost: u64,
-    /// Testing every triangle is wrong itself, in any of the first three ways.
+    /// Rays for which testing every triangle is wrong itself, in any of the first three ways.
     pub triangle_test: u64,
-    /// Rays of which visits were counted.
+    /// Rays whose visits were counted.
     pub visit_rays: u64,
-    /// Those with more visits than five times the most of eight neighbours, plus four times the depth.
+    /// Rays with more visits than five times the most of eight neighbours, plus four times the depth.
     pub excess_visits: u64,
-    /// Least interval of a box that a search found, in units in the last place; below zero the box is missed.
+    /// The least interval of a box that a search found, in units in the last place. If it is below zero, the ray misses the box.
     pub least_slack_ulps: Option<f64>,
 }
 
@@ -68,13 +68,13 @@ impl Cell {
         };
     }
 
-    /// What traversal, not the triangle test, got wrong.
+    /// Number of rays that traversal, not the triangle test, got wrong.
     #[must_use]
     pub fn traversal_failures(&self) -> u64 {
         self.lost + self.nan + self.excess_visits
     }
 
-    /// Counts the result of a ray that exactly hits something; `known` is what the triangle test of the method makes of it.
+    /// Counts the result of a ray that exactly hits something. `known` is the result of the method's triangle test for the ray.
     pub(super) fn judge_aimed(&mut self, found: Option<Hit>, known: &Option<Aimed>) {
         self.rays += 1;
         self.false_misses += u64::from(found.is_none());
@@ -99,7 +99,7 @@ impl Cell {
     }
 }
 
-/// A result against the exact answer.
+/// How a result compares with the exact answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Judgement {
     Right,
@@ -124,21 +124,21 @@ pub(super) fn judge(found: Option<Hit>, exact: &[u32]) -> Judgement {
 pub struct Bench {
     /// Name of the case.
     pub name: String,
-    /// Its geometry.
+    /// Geometry of the case.
     pub mesh: Mesh,
     /// The hierarchy that all structures are converted from.
     pub tree: BinaryTree,
-    /// Its triangles.
+    /// The triangles in the order of the hierarchy's leaves.
     pub triangles: Arc<[Triangle]>,
     /// The rays traced.
     pub rays: Vec<Ray>,
-    /// For each, the nearest triangles.
+    /// For each ray, the triangles at the exactly least distance.
     exact: Vec<Vec<u32>>,
-    /// For each, what testing every triangle finds in fast and in robust mode.
+    /// For each ray, the hit that testing every triangle finds in fast and in robust mode.
     brute_force: Vec<[Option<Hit>; 2]>,
 }
 
-/// Rays of a case whose visits, and those of their neighbours, are counted.
+/// Number of rays of a case whose visits are counted and compared with those of their neighbours.
 const VISIT_RAYS: usize = 8;
 
 impl Bench {
@@ -184,7 +184,7 @@ impl Bench {
         cell
     }
 
-    /// The first ray that `method` fails on in the way that the case's counts show, with its exact answer.
+    /// The first ray for which `instance` gives a wrong result, with the judgement of that result.
     pub(super) fn first_failure(&self, instance: &Instance) -> Option<(Ray, Judgement)> {
         self.rays.iter().zip(&self.exact).find_map(|(ray, exact)| {
             let judgement = judge(instance.closest(ray), exact);
@@ -217,14 +217,14 @@ fn turned(ray: &Ray) -> [Ray; 8] {
     })
 }
 
-/// Rays of one seed; more are split into such parts, which run on any thread.
+/// Number of rays that one seed generates. Larger numbers of rays are split into such chunks, which run in parallel.
 const CHUNK: u64 = 1 << 14;
 
 /// An interpreted netlist takes thousands of times as long as software: this many rays of a chunk are enough for it.
 const NETLIST_CHUNK: u64 = CHUNK / 1000;
 
-/// Runs every method on the same `rays` rays that are aimed at the triangles of `mesh`, with the answer known by
-/// construction; interpreted netlists on a thousandth of them.
+/// Runs every method on the same `rays` rays, aimed at the triangles of `mesh` so that the answer is known by construction.
+/// Interpreted netlists run on a thousandth of the rays.
 ///
 /// # Errors
 /// [`TooLarge`] if the dual-split tree is too large for its format.
@@ -261,7 +261,7 @@ pub fn aimed_cells(
         sums.iter_mut().zip(&cells).for_each(|(sum, cell)| sum.merge(cell));
         sums
     };
-    // Sums of integers: the order does not matter.
+    // Sums of integers do not depend on the order.
     Ok((0..rays.div_ceil(CHUNK)).into_par_iter().map(chunk).reduce(new_cells, merged))
 }
 

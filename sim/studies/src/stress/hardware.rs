@@ -1,5 +1,4 @@
-//! The dual-split pipeline's netlist in a narrow format as a step function: a node goes in, and its result comes out after
-//! the latency. [`logic::steps`] does the same in binary32, faster.
+//! The dual-split pipeline's netlist in a narrow format as a step function. [`logic::steps`] does the same in binary32, faster.
 
 use equivalence::Ports;
 use equivalence::cases::{NodeCase, RayWords};
@@ -8,7 +7,7 @@ use golden::dst::{Child, Code, Step};
 use golden::precision::NarrowRay;
 use netlist::{Evaluator, Flat, latency_cycles};
 
-/// A pipeline with one node at a time in it.
+/// A pipeline that processes one node at a time: the next node enters when the result of the last one has come out.
 pub struct Hardware<'n> {
     ports: Ports<'n>,
     inputs: Vec<u128>,
@@ -20,7 +19,7 @@ impl<'n> Hardware<'n> {
     /// The pipeline at power-up.
     ///
     /// # Panics
-    /// If it is no plain pipeline.
+    /// If `netlist` has no fixed latency.
     #[must_use]
     pub fn new(netlist: &'n Flat) -> Self {
         let inputs = vec![0; netlist.inputs.len()];
@@ -28,8 +27,8 @@ impl<'n> Hardware<'n> {
         Self { ports: Ports::new(netlist), inputs, simulation: Evaluator::new(netlist), latency_cycles }
     }
 
-    /// One step in the pipeline's own format, `arithmetic`'s; the ray has one value for its origin and reciprocals, as the
-    /// naive variant's.
+    /// One step in the format of `arithmetic`, which has to be the pipeline's. As in the naive variant, the ray has a single value
+    /// for each origin and each reciprocal.
     pub fn narrow_step(
         &mut self,
         arithmetic: Arithmetic,
@@ -61,8 +60,8 @@ impl<'n> Hardware<'n> {
     }
 }
 
-/// The pipeline's inputs for a step in the format of `arithmetic`; the ray has one value for its origin and reciprocals, as
-/// the naive variant's.
+/// The pipeline's inputs for a step in the format of `arithmetic`. As in the naive variant, the ray has a single value for each
+/// origin and each reciprocal.
 #[must_use]
 pub fn narrow_case(
     arithmetic: Arithmetic,
@@ -71,7 +70,7 @@ pub fn narrow_case(
     t_min: f32,
     t_max: f32,
 ) -> NodeCase {
-    // All are numbers of the format already: no rounding takes place.
+    // All numbers are numbers of the format already, so the conversion rounds none.
     let bits = |x: f32| arithmetic.from_f32(x, Rounding::NearestEven);
     let ray = RayWords {
         origin: ray.origin_entry.map(bits),

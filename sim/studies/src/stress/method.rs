@@ -1,4 +1,4 @@
-//! A structure with an arithmetic.
+//! A method: a structure that is traversed with an arithmetic.
 
 use super::Hardware;
 use fp::Format;
@@ -23,7 +23,7 @@ use std::sync::Arc;
 pub enum Arithmetic {
     /// In binary32, by the kernels that renderings use.
     Native(Mode),
-    /// In another format.
+    /// In another format, by golden's traversal for any format.
     Narrow(Precision),
     /// By the netlist of the dual-split pipeline in binary32.
     Netlist(Mode),
@@ -62,13 +62,13 @@ impl Arithmetic {
 /// A structure with an arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Method {
-    /// What is traversed.
+    /// The structure.
     pub structure: StructureKind,
-    /// With what numbers.
+    /// How distances to planes are computed.
     pub arithmetic: Arithmetic,
 }
 
-/// The name of no method.
+/// A name that no method has.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "there is no method '{0}': write STRUCTURE/binary32-fast, STRUCTURE/binary32-robust, STRUCTURE/FORMAT-naive or \
@@ -151,19 +151,19 @@ impl Method {
         usize::from(self.arithmetic.mode() == Mode::Robust)
     }
 
-    /// Whether node steps are executed by a netlist, whose visits are those of the software.
+    /// Whether a netlist executes the node steps. Its visits are those of the software.
     #[must_use]
     pub fn is_hardware(self) -> bool {
         matches!(self.arithmetic, Arithmetic::Netlist(_) | Arithmetic::NarrowNetlist(_))
     }
 
-    /// Whether that netlist is interpreted, thousands of times slower than software; that in binary32 is compiled.
+    /// Whether that netlist is interpreted, which is thousands of times slower than software. The netlist in binary32 is compiled.
     #[must_use]
     pub fn is_interpreted(self) -> bool {
         matches!(self.arithmetic, Arithmetic::NarrowNetlist(_))
     }
 
-    /// The netlist that is interpreted for this method's steps, if one is.
+    /// The netlist that is interpreted for this method's steps, or `None` if none is.
     ///
     /// # Panics
     /// If the pipeline does not elaborate, which the tests of `hdl` rule out.
@@ -174,7 +174,7 @@ impl Method {
         Some(Arc::new(flatten(&design).expect("the pipeline is flattened")))
     }
 
-    /// The method over one tree; `netlist` is what [`Method::netlist`] gave.
+    /// The method over one tree. `netlist` has to be the result of [`Method::netlist`].
     #[must_use]
     pub fn instance(self, structures: &Structures, netlist: Option<&Arc<Flat>>) -> Instance {
         let wide = structures.get(self.structure);
@@ -259,7 +259,8 @@ impl Instance {
         }
     }
 
-    /// Nodes that the search for the nearest hit of `ray` visits; zero for netlists, which visit what their software does.
+    /// Number of nodes that the search for the nearest hit of `ray` visits. It is zero for netlists, whose visits are those of the
+    /// software.
     #[must_use]
     pub fn visits(&self, ray: &Ray) -> u64 {
         let mut counters = Counters::default();
@@ -272,8 +273,9 @@ impl Instance {
         counters.node_visits
     }
 
-    /// The interval that the method computes for a box of the scene, in units in the last place of its end: below zero if
-    /// the box is missed, and none if the ray is no valid ray or the interval has no end.
+    /// The length of the interval that the method computes for a box of the scene, in units in the last place of its end.
+    ///
+    /// The length is below zero if the ray misses the box. It is `None` if the ray is not valid or the interval has no end.
     #[must_use]
     pub fn slack(&self, bounds: &Aabb, ray: &Ray) -> Option<f64> {
         let prepared = TraversalRay::new(ray, self.method.arithmetic.mode())?;

@@ -1,9 +1,9 @@
-//! An adversary: walks a ray one unit in the last place at a time towards the worst case of a method.
+//! An adversary, which walks a ray one unit in the last place at a time towards the worst case of a method.
 //!
-//! The ray exactly hits a triangle throughout. What is lowered is the length of the interval that the method
-//! computes for the triangle's box: below zero, a tree with that box in a leaf of its own loses the hit. Steps are
-//! powers of two of units in the last place of one of the six numbers, mostly one; a step that does not lengthen the
-//! interval is taken, so that the walk can cross plateaus.
+//! The ray exactly hits a triangle at every step. The walk shortens the interval that the method computes for the triangle's
+//! box: if its length falls below zero, a tree with that box in a leaf of its own loses the hit. A step changes one of the ray's
+//! six numbers by a power of two of units in the last place, mostly by one unit. The walk takes each step that does not lengthen
+//! the interval, so that it can cross plateaus.
 
 use super::{Cell, Method, Structures};
 use golden::build::{BuildOptions, Quality, build};
@@ -19,7 +19,7 @@ use stress::shapes::Random;
 pub struct Found {
     /// The ray with the least interval.
     pub ray: Ray,
-    /// Its interval in units in the last place of its end.
+    /// The length of its interval in units in the last place of the interval's end.
     pub slack_ulps: f64,
 }
 
@@ -37,7 +37,7 @@ pub fn search(
     steps: u32,
     seed: u64,
 ) -> Result<(Cell, Option<Found>), TooLarge> {
-    // One triangle to a leaf: the boxes are those of triangles.
+    // Each leaf has one triangle, so that its box is the triangle's.
     let options = BuildOptions { quality: Quality::Medium, max_leaf_size: 1 };
     let tree = build(mesh, &options).expect("a tree over the mesh");
     let structures = Structures::new(&tree, &pack_triangles(mesh, &tree))?;
@@ -77,7 +77,7 @@ pub fn search(
     Ok((sum, worst))
 }
 
-/// `ray` with one of its numbers moved by a power of two of units in the last place.
+/// `ray` with one of its numbers changed by a power of two of units in the last place.
 fn neighbour(ray: &Ray, random: &mut Random) -> Ray {
     let mut ray = *ray;
     let at = random.below(6);

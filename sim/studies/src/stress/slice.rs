@@ -1,4 +1,4 @@
-//! Pictures of ray space: the rays around a failing one, each judged against the exact answer.
+//! Pictures of ray space: the rays around a failing one, each judged by the exact answer.
 
 use super::Instance;
 use super::bench::{Bench, Judgement, judge};
@@ -7,26 +7,26 @@ use rayon::prelude::*;
 use stress::oracle::Oracle;
 use view::picture::{Picture, font};
 
-/// A picture, and what it is of.
+/// A picture of the rays around a failing one.
 #[derive(Clone, Debug)]
 pub struct Slice {
     /// The picture.
     pub picture: Picture<u8>,
-    /// The failure in its middle: `false_miss`, `false_hit` or `wrong_nearest`.
+    /// The failure of the ray in the middle: `false_miss`, `false_hit` or `wrong_nearest`.
     pub failure: &'static str,
-    /// The ray in its middle.
+    /// The ray in the middle.
     pub ray: Ray,
 }
 
-/// Rays to either side of the middle.
+/// Number of rays to either side of the middle.
 const REACH: i32 = 40;
-/// Pixels to a ray.
+/// Width and height of a ray's square in pixels.
 const PIXELS: u32 = 5;
 const STRIP: u32 = 76;
 const BACKGROUND: [u8; 3] = [255; 3];
 const INK: [u8; 3] = [40; 3];
 
-/// Colours of Okabe and Ito, which colour-blind readers can tell apart, and what they mean.
+/// Colours of Okabe and Ito, which colour-blind readers can tell apart, with their meanings.
 const KEY: [(&str, [u8; 3]); 5] = [
     ("hit, right", [86, 180, 233]),
     ("miss, right", [224, 224, 224]),
@@ -35,7 +35,7 @@ const KEY: [(&str, [u8; 3]); 5] = [
     ("false hit", [0, 0, 0]),
 ];
 
-/// The rays around the first one of `bench` that the method fails on, or `None` if it fails on none.
+/// The rays around the first ray of `bench` that the method fails on, or `None` if it fails on none.
 ///
 /// The two lesser components of the direction vary by steps of a fraction of a unit in the last place of the method's format.
 #[must_use]
@@ -47,7 +47,7 @@ pub fn slice(bench: &Bench, instance: &Instance) -> Option<Slice> {
         Judgement::WrongNearest | Judgement::Right => "wrong_nearest",
     };
     let bits = instance.method.arithmetic.format().significand_bits() as i32;
-    // In binary32 a step is what a float can do; narrower formats are shown between their numbers too.
+    // In binary32 a step is one unit in the last place. In narrower formats, a step is a fraction of a unit.
     let exponent = if bits == 24 { -23 } else { -bits - 2 };
     let picture = draw(bench, instance, &ray, exponent);
     Some(Slice { picture, failure, ray })

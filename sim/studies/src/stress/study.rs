@@ -1,4 +1,4 @@
-//! The study: every method against the exact oracle, on inputs made to break it.
+//! The study of stability: every method, judged by the exact oracle on inputs made to break it.
 
 use super::{Bench, Cell, Instance, Method, Structures, aimed_cells, search, slice};
 use crate::artifacts::Artifacts;
@@ -15,28 +15,28 @@ use stress::cases;
 use stress::shapes::{box_triangles, closed_sphere, grid, moved, soup};
 use view::picture::png;
 
-/// How much is tried, and where it is written.
+/// The methods, the number of rays, and the folder of the results.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Rays of each of the known cases, at most.
+    /// The most rays of each known case.
     pub rays: u64,
-    /// Rays that are aimed at corners, edges and faces.
+    /// Number of rays that are aimed at corners, edges and faces.
     pub aimed: u64,
-    /// Rays per method and mesh that a search walks towards the worst.
+    /// Number of rays per method and mesh that a search walks towards the worst case.
     pub searches: u64,
-    /// These methods; all if there are none.
+    /// The methods; all if the list is empty.
     pub methods: Vec<Method>,
-    /// Draw the rays around a failure of each kind.
+    /// Draws the rays around a failure of each kind.
     pub pictures: bool,
     /// The folder that is written.
     pub out: PathBuf,
     /// Seed of the rays.
     pub seed: u64,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
-/// Every method in every case.
+/// The counts of every method in every case.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Stress {
@@ -44,21 +44,21 @@ pub struct Stress {
     pub aimed_rays: u64,
     pub cells: Vec<Cell>,
     pub artifacts: Vec<String>,
-    /// The sum of each method's cells, with the worst case in the place of the case.
+    /// The sum of each method's cells. It names the worst case in place of the case.
     #[serde(skip)]
     pub sums: Vec<(Method, Cell)>,
-    /// Whether a method that must lose nothing has lost something.
+    /// Whether a method that must lose no hit lost one.
     #[serde(skip)]
     pub broken: bool,
 }
 
-/// An interpreted netlist takes thousands of times as long as software: it gets this fraction of the rays.
+/// Divisor of the number of rays for interpreted netlists, which take thousands of times as long as software.
 const HARDWARE_SHARE: u64 = 50;
 /// Steps of each walk of the search.
 const SEARCH_STEPS: u32 = 400;
 
-/// What rays are aimed at: planes in general position, planes that coincide, faces that are planes of boxes, and
-/// coordinates far larger than the object.
+/// The meshes that rays are aimed at. They have planes in general position, planes that coincide, faces in planes of boxes,
+/// and coordinates far larger than the object.
 fn targets() -> [(&'static str, Mesh); 4] {
     let boxes = (0..27).flat_map(|i| {
         let low = [i % 3, i / 3 % 3, i / 9].map(|c| 1.5 * c as f32);
@@ -75,7 +75,7 @@ fn targets() -> [(&'static str, Mesh); 4] {
 /// Runs all methods, and writes the cells and pictures of failures to a folder.
 ///
 /// # Errors
-/// A case cannot be built, or a file not written.
+/// A case cannot be built, or a file cannot be written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Stress> {
     let all = || Method::software().into_iter().chain(Method::hardware()).collect();
     let methods = if args.methods.is_empty() { all() } else { args.methods.clone() };
@@ -156,12 +156,12 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Stress> {
     })
 }
 
-/// One structure stands for all: they lose the same.
+/// Whether failures of the method are drawn. One structure stands for all, because all structures lose the same hits.
 fn is_pictured(method: Method) -> bool {
     method.structure == golden::structure::StructureKind::Dst && !method.is_hardware()
 }
 
-/// The sum of each method's cells, with the worst case in the place of the case.
+/// The sum of each method's cells. It names the worst case in place of the case.
 fn sums(methods: &[Method], cells: &[Cell]) -> Vec<(Method, Cell)> {
     let sum = |method: &Method| {
         let name = method.to_string();

@@ -1,20 +1,20 @@
-//! Our percentages beside the published ones.
+//! Our results beside the published ones.
 //!
-//! Published: D. Lin, E. Vasiou, C. Yuksel, D. Kopta, E. Brunvand, "Hardware-Accelerated Dual-Split Trees", HPG 2020, as
-//! presented there.
+//! The published results are those of D. Lin, E. Vasiou, C. Yuksel, D. Kopta, E. Brunvand, "Hardware-Accelerated Dual-Split
+//! Trees", HPG 2020, as presented there.
 
 use super::row::Row;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// A claim of the paper and what we find.
+/// A claim of the paper, with our result.
 #[derive(Clone, Debug, Serialize)]
 pub struct Claim {
-    /// In words.
+    /// The claim in words.
     pub claim: String,
-    /// What the paper says.
+    /// The paper's result.
     pub published: String,
-    /// What the study says.
+    /// The study's result.
     pub ours: String,
     /// `yes`, `partly` where some scenes agree, `no`, or `-` without data.
     pub holds: &'static str,
@@ -44,7 +44,7 @@ impl Table<'_> {
         found.map(of)
     }
 
-    /// Change of `of` from `base` to `structure` in percent, by scene.
+    /// Change of the quantity `of` from `base` to `structure` in percent, for each scene.
     fn changes(&self, test: &str, structure: &str, base: &str, of: fn(&Row) -> f64) -> Vec<f64> {
         let change = |scene: &str| {
             let base = self.value(scene, test, base, of)?;
@@ -53,13 +53,13 @@ impl Table<'_> {
         self.scenes().into_iter().filter_map(change).collect()
     }
 
-    /// In how many scenes `structure` has the least of `of` among `among`, of how many.
+    /// The number of scenes in which `structure` has the least `of` among the structures `among`, and the number of all scenes.
     fn least(&self, test: &str, structure: &str, among: &[&str], of: fn(&Row) -> f64) -> (usize, usize) {
         let scenes = self.scenes();
         let is_least = |scene: &&str| {
             let own = self.value(scene, test, structure, of)?;
             let others = among.iter().filter(|other| **other != structure);
-            // A scene counts once all of them have been simulated.
+            // A scene counts only if all of these structures were simulated.
             let values: Option<Vec<f64>> = others.map(|other| self.value(scene, test, other, of)).collect();
             Some(values?.iter().all(|value| own <= *value))
         };
@@ -180,7 +180,7 @@ pub fn compare(rows: &[Row], scaling: &[Row]) -> Vec<Claim> {
     claims
 }
 
-/// Whether both dual-split variants spend less on memory, caches and computation than every BVH in the hairball.
+/// The claim that both dual-split variants spend less on memory, caches and computation than every BVH in the hairball.
 fn cuts_everything(table: &Table<'_>) -> Option<Claim> {
     let parts: [(&str, Of); 3] =
         [("DRAM", |row| row.dram_mj), ("cache", |row| row.cache_mj), ("compute", |row| row.compute_mj)];
@@ -218,7 +218,7 @@ fn tau(pairs: &[(f64, f64)]) -> Option<f64> {
     Some(f64::from(agreeing) / f64::from(all))
 }
 
-/// Whether the gain over BVH2 grows with the scene: the rank correlation of triangles and speed-up in path tracing.
+/// The claim that the gain over BVH2 grows with the scene, by the rank correlation of triangles and speed-up in path tracing.
 fn growth(table: &Table<'_>) -> Option<Claim> {
     let mut gains = vec![];
     for scene in table.scenes() {
@@ -235,8 +235,8 @@ fn growth(table: &Table<'_>) -> Option<Claim> {
     })
 }
 
-/// Whether software decoding costs less time where memory dominates: the rank correlation of memory's share of the energy
-/// and of the time that the hardware gains.
+/// The claim that software decoding costs less time where memory dominates, by the rank correlation of memory's share of the
+/// energy and the hardware's gain in time.
 fn catching_up(table: &Table<'_>) -> Option<Claim> {
     let mut gains = vec![];
     for scene in table.scenes() {
@@ -258,7 +258,7 @@ fn catching_up(table: &Table<'_>) -> Option<Claim> {
     })
 }
 
-/// Speed-up from the fewest to the most multiprocessors.
+/// The claim about the speed-up from the fewest to the most multiprocessors.
 fn scaling_claim(scaling: &[Row]) -> Option<Claim> {
     let tms = || scaling.iter().map(|row| row.tms);
     let (few, many) = (tms().min()?, tms().max()?);

@@ -1,4 +1,4 @@
-//! What a study simulates.
+//! The simulations that a study consists of.
 
 use anyhow::Context;
 use machine::description::MachineDescription;
@@ -18,7 +18,7 @@ pub struct Preset {
     scaling_tms: &'static [u32],
 }
 
-/// For the main job, which has two minutes for it.
+/// The size for the main job, which has two minutes for the study.
 const SMALL: Preset = Preset { width: 32, height: 32, ..QUICK };
 const QUICK: Preset =
     Preset { detail: 0.02, width: 64, height: 64, chip: [1, 4], scaling_tms: &[1, 2, 4, 8] };
@@ -36,7 +36,7 @@ impl Preset {
     }
 }
 
-/// What a simulation is a part of.
+/// The series that a simulation belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Series {
@@ -44,14 +44,14 @@ pub enum Series {
     Main,
     /// One scene on more and fewer multiprocessors.
     Scaling,
-    /// Some scenes with loads of more words.
+    /// Some scenes with loads of several words.
     LoadWidth,
 }
 
 /// The scene and test of the scaling runs.
 pub const SCALING_SCENE: &str = "atrium";
 pub const SCALING_TEST: Test = Test::Path;
-/// The scenes and the test of the runs with wider loads; one word is the main series.
+/// The scenes of the runs with wider loads. Runs with loads of one word belong to the main series.
 pub const WIDTH_SCENES: [&str; 2] = ["atrium", "hairball"];
 pub const WIDTH_TEST: Test = Test::Path;
 const WIDER_LOADS: [&str; 3] = ["2", "4", "line"];
@@ -64,12 +64,12 @@ pub struct Job {
     pub series: Series,
     /// Partitions and multiprocessors per partition.
     pub chip: [u32; 2],
-    /// Words of a load.
+    /// The words of a load.
     pub load_words: &'static str,
 }
 
 impl Job {
-    /// All of a scene, the main series first. What a series shares with it is simulated once, there.
+    /// All simulations of a scene, the main series first. Another series leaves out the simulations that the main series has.
     pub fn of_scene(scene: &str, preset: &Preset) -> Vec<Self> {
         let main = |structure| {
             Test::ALL.map(|test| Self {
@@ -100,7 +100,7 @@ impl Job {
         jobs
     }
 
-    /// The machine that it runs on: that of the command line but for what the study varies.
+    /// The machine of this simulation: that of the command line, with the settings that the study varies.
     pub fn machine(&self, name: &str, settings: &[String]) -> anyhow::Result<MachineDescription> {
         let mut settings = settings.to_vec();
         settings.push(format!("chip.l2_partitions={}", self.chip[0]));
@@ -111,7 +111,7 @@ impl Job {
         Ok(MachineDescription::load(name, &settings)?)
     }
 
-    /// The file that keeps its row.
+    /// The file that keeps the row of this simulation.
     pub fn file(&self, scene: &str, preset: &str) -> String {
         let part = match self.series {
             Series::Main => String::new(),

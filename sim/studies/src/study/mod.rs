@@ -1,4 +1,4 @@
-//! The paper's study: all scenes, structures and tests on the machine. Runs are kept in files, and not repeated.
+//! The paper's study: all scenes, structures and tests on the machine. The study keeps its runs in files and repeats none.
 
 pub mod comparison;
 mod jobs;
@@ -27,14 +27,14 @@ use std::path::{Path, PathBuf};
 
 pub use jobs::Series;
 
-/// What is simulated, on what, and where it is kept.
+/// The size of the study, the machine, and the folder of the runs.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// `small`, `quick`, `medium` or `paper`.
     pub preset: String,
-    /// Only this scene.
+    /// The only scene to simulate; all scenes if absent.
     pub scene: Option<String>,
-    /// Of the trees.
+    /// How the trees are built.
     pub quality: Quality,
     /// A preset machine or a TOML file.
     pub machine: String,
@@ -46,11 +46,11 @@ pub struct Options {
     pub out: PathBuf,
     /// Seed of scenes and samples.
     pub seed: u64,
-    /// Write into a folder that others have made.
+    /// Writes into the folder even if it holds files that the tool did not make.
     pub force: bool,
 }
 
-/// All runs of a study and what they say.
+/// All runs of a study, and their comparison with the paper.
 #[derive(Debug, Serialize)]
 #[allow(missing_docs, reason = "keys of result files")]
 pub struct Study {
@@ -62,7 +62,7 @@ pub struct Study {
     pub artifacts: Vec<String>,
 }
 
-/// Simulates what is not kept yet, and writes all tables and drawings.
+/// Simulates the runs that the folder does not hold yet, and writes all tables and charts.
 ///
 /// # Errors
 /// There is no such preset, scene or machine, a run fails, or a file cannot be read or written.
@@ -111,7 +111,7 @@ fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
         let entry = entry?;
         let name = format!("runs/{}", entry.file_name().to_string_lossy());
         let text = fs::read_to_string(entry.path()).with_context(|| display(&entry.path()))?;
-        // A file of an older version is made anew.
+        // A file of an older version does not parse, and its run is simulated again.
         if let Ok(row) = serde_json::from_str(&text) {
             runs.insert(name, row);
         }
@@ -148,7 +148,7 @@ fn simulate_scene(
         .map(|kind| Ok(built.convert(kind)?.0))
         .collect::<anyhow::Result<Vec<Structure>>>()?;
     let part = Part::begin(progress, open.len() as u64, name);
-    // In batches, so that an interrupted study goes on where it was.
+    // The runs of each batch are written before the next batch begins, so that an interrupted study can continue there.
     for batch in open.chunks(rayon::current_num_threads().max(1)) {
         let done = batch
             .par_iter()

@@ -1,11 +1,11 @@
-//! The study as pictures.
+//! The charts of the study.
 
 use super::row::Row;
 use machine::frame::MachineStructure;
 use std::collections::BTreeSet;
 use view::plot::{Axis, Bars, Chart, Point, Series, Style};
 
-/// File names and drawings.
+/// All charts as SVG, with their file names.
 pub fn all(rows: &[Row], scaling: &[Row], load_width: &[Row]) -> Vec<(String, String)> {
     let mut plots = vec![];
     for test in ["raycast", "path"] {
@@ -34,7 +34,7 @@ fn scenes(rows: &[Row]) -> Vec<&str> {
     scenes.into_iter().collect()
 }
 
-/// A quantity of every structure in every scene.
+/// A chart of one quantity of every structure in every scene.
 fn bars(rows: &[Row], test: &str, title: &str, unit: &str, of: fn(&Row) -> f64) -> String {
     let scenes = scenes(rows);
     let value = |structure: MachineStructure, scene: &&str| {
@@ -57,7 +57,7 @@ fn bars(rows: &[Row], test: &str, title: &str, unit: &str, of: fn(&Row) -> f64) 
     .svg()
 }
 
-/// Energy of every structure in one scene by memory, caches and computation.
+/// A chart of the energy of every structure in one scene, by memory, caches and computation.
 fn split(rows: &[Row], scene: &str, test: &str) -> String {
     let of = |part: fn(&Row) -> f64| {
         let value = |structure: MachineStructure| {
@@ -83,7 +83,7 @@ fn split(rows: &[Row], scene: &str, test: &str) -> String {
     .svg()
 }
 
-/// A quantity of every structure with loads of each width.
+/// A chart of one quantity of every structure with loads of each width.
 fn widths(rows: &[&Row], title: &str, unit: &str, of: fn(&Row) -> f64) -> String {
     let words = ["1", "2", "4", "line"];
     let series = words.map(|words| {
@@ -106,7 +106,7 @@ fn widths(rows: &[&Row], title: &str, unit: &str, of: fn(&Row) -> f64) -> String
     .svg()
 }
 
-/// Speed-up over the fewest multiprocessors.
+/// A chart of the speed-up over the fewest multiprocessors.
 fn speed_up(scaling: &[Row]) -> String {
     let fewest = scaling.iter().map(|row| row.tms).min().unwrap_or(1);
     let mut series = vec![];

@@ -8,7 +8,7 @@ use render::RenderOptions;
 use scenes::Scene;
 use serde::{Deserialize, Serialize};
 
-/// A simulated frame: what it is of, and what it came to.
+/// A simulated frame: its scene, structure and machine, and its results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(missing_docs, reason = "keys of result files, with their units")]
@@ -53,11 +53,11 @@ pub struct Row {
     pub l1_hit_pct: f64,
     pub l2_hit_pct: f64,
     pub dram_gb_s: f64,
-    /// Of everything that the run depends on.
+    /// A hash of everything that the run depends on except its scene and test.
     pub fingerprint: String,
 }
 
-/// What a run is of.
+/// The scene, test and structure of a run.
 pub(super) struct Run<'a> {
     pub preset: &'a str,
     pub scene: &'a Scene,
@@ -118,7 +118,7 @@ impl Row {
     }
 }
 
-/// Identifies everything that a run depends on but its scene and test: scene size, tree quality, machine, pipeline, program.
+/// A hash of everything that a run depends on except its scene and test: scene size, tree quality, machine, pipeline, program.
 pub(super) fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let Preset { detail, width, height, .. } = preset;
@@ -135,7 +135,7 @@ pub(super) fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, p
     format!("{hash:016x}")
 }
 
-/// The rows of a series, with those of the main series that belong to it, in the order of what it varies.
+/// The rows of a series, with those of the main series that belong to it, in the order of the quantity that it varies.
 pub(super) fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
     let belongs = |row: &&Row| {
         row.series == series

@@ -1,4 +1,4 @@
-//! The hardware: checks, Verilog, waveforms, area and energy.
+//! Arguments of the commands about the hardware: checks, Verilog, waveforms, area and energy.
 
 use super::shared::{LoadArgs, ModeArgs, QualityArgs};
 use super::values::{format, unit};
@@ -12,21 +12,22 @@ pub struct CheckArgs {
     /// The unit or pipeline [default: all].
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Option<Top>,
-    /// Operations to compare for each, besides stalls and bubbles.
+    /// Operations to compare for each unit, besides stalls and bubbles.
     #[arg(long, default_value_t = 10_000, value_name = "N")]
     pub vectors: u64,
-    /// Put the Nth of the unit's faults into its netlist first, counted from 0, to see the check fail.
+    /// Put fault N of the unit's faults, counted from 0, into its netlist first, to see the check fail.
     #[arg(long, value_name = "N", requires = "unit", conflicts_with_all = ["exhaustive", "prove"])]
     pub mutate: Option<usize>,
     /// Compare all pairs of operands of a format of at most 16 bits instead, in every mode of the unit: add, sub, mul, min,
     /// max, lt, le or eq.
     #[arg(long, num_args = 2, value_names = ["FORMAT", "OP"], conflicts_with_all = ["unit", "vectors", "prove"])]
     pub exhaustive: Option<Vec<String>>,
-    /// Where an interrupted exhaustive check continues from [default: check-FORMAT-OP.json]; removed when all is done.
+    /// The file that holds the progress of an exhaustive check, from which the same command continues; the check removes it when
+    /// it is complete [default: check-FORMAT-OP.json].
     #[arg(long, value_name = "FILE", requires = "exhaustive")]
     pub state: Option<PathBuf>,
-    /// Prove instead, for all inputs and states: units and control against independent references, and the exported
-    /// Verilog, read back by yosys if that is installed, against the simulated graph.
+    /// Instead, prove for all inputs and states that units and control equal independent references, and that the exported
+    /// Verilog, read back by yosys if that is installed, equals the simulated graph.
     #[arg(long)]
     pub prove: bool,
 }
@@ -52,7 +53,7 @@ pub struct ExportArgs {
 
 #[derive(Args, Debug)]
 pub struct WaveArgs {
-    /// The unit or pipeline; single units show what they are given inside the dual-split pipeline.
+    /// The unit or pipeline; a single unit gets the inputs that it has inside the dual-split pipeline.
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Top,
     /// A built-in scene (see `dualsplit scenes`), a file (OBJ, PLY, STL or glTF), or - for standard input.
@@ -67,18 +68,18 @@ pub struct WaveArgs {
     pub mode: ModeArgs,
     #[command(flatten)]
     pub quality: QualityArgs,
-    /// The waveform, a VCD file.
+    /// The VCD file to write.
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 }
 
 #[derive(Args, Debug)]
 pub struct EstimateArgs {
-    /// Standard cells to map to: a liberty file, which may be gzip-compressed; several if a library has several
-    /// [default: an embedded table].
+    /// A liberty file of the standard cells to map to, which may be gzip-compressed; repeat it if a library has several files
+    /// [default: the embedded library].
     #[arg(long, value_name = "FILE")]
     pub liberty: Vec<PathBuf>,
-    /// Synthesise the exported Verilog with yosys and ABC too, for minutes, and print both.
+    /// Also synthesise the exported Verilog with yosys and ABC, which takes minutes, and print both results.
     #[arg(long)]
     pub synth: bool,
     /// The scene whose rays make the nets change: a built-in one or a file (OBJ, PLY, STL or glTF). May be given

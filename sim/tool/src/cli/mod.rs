@@ -1,4 +1,4 @@
-//! The command line.
+//! The arguments of all commands.
 
 mod hardware;
 mod shared;
@@ -34,7 +34,7 @@ pub enum Command {
     Tree(TreeArgs),
     /// Trace a file of rays for their closest hits and write the hits.
     Trace(TraceArgs),
-    /// Render a scene, or a heat map of the work that it takes.
+    /// Render a picture of a scene, or a heat map of the work that rendering takes.
     Render(RenderArgs),
     /// Compare two pictures; exit code 1 if any pixel differs.
     Compare(CompareArgs),
@@ -44,12 +44,12 @@ pub enum Command {
     Check(CheckArgs),
     /// Write Verilog with testbenches, vectors and scripts.
     Export(ExportArgs),
-    /// Write a waveform of rays in the hardware.
+    /// Write a waveform of the hardware that processes rays of a scene.
     Wave(WaveArgs),
-    /// Chart a cost against an error, over formats of the hardware.
+    /// Chart cost against error, over formats of the hardware or levels of the simulation.
     Chart(ChartArgs),
-    /// Run every structure and arithmetic against exact answers on inputs made to break them; exit code 1 if a method
-    /// that must lose no hit loses one.
+    /// Judge every structure and arithmetic by exact answers, on inputs made to break them; exit code 1 if a method that must
+    /// lose no hit loses one.
     Stress(StressArgs),
     /// Find the least hardware that a scene needs at an error budget, and write it as TOML with a chart of each knee.
     Needs(NeedsArgs),
@@ -57,7 +57,7 @@ pub enum Command {
     Estimate(EstimateArgs),
     /// Time a frame on a many-core machine, or the public simulator's reference runs.
     Simulate(SimulateArgs),
-    /// The paper's study: all built-in scenes, eight structures, both tests, on the many-core machine.
+    /// Do the paper's study: simulate all built-in scenes, eight structures and both tests on the many-core machine.
     Study(StudyArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     Reproduce(ReproduceArgs),

@@ -1,4 +1,4 @@
-//! What all or several commands take: a scene, a view, a structure, a machine.
+//! Arguments that all or several commands have: a scene, a view, a structure, a machine.
 
 use super::values::{
     PipelineCostMethod, mode, pipeline_cost, quality, scene_format, size, structure, vector,
@@ -28,7 +28,7 @@ pub struct Global {
     pub force: bool,
 }
 
-/// Which geometry.
+/// The scene.
 #[derive(Args, Clone, Debug)]
 pub struct SceneArgs {
     /// A built-in scene (see `dualsplit scenes`), a file (OBJ, PLY, STL or glTF, which xz or gzip may compress), or - for
@@ -125,7 +125,7 @@ pub struct StructureArgs {
     pub structure: StructureKind,
     #[command(flatten)]
     pub quality: QualityArgs,
-    /// Load the structure from this file, which `dualsplit tree SCENE --save FILE` has written, instead of building it.
+    /// Load the structure from this file instead of building it; `dualsplit tree SCENE --save FILE` writes such files.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["structure", "quality"])]
     pub tree: Option<PathBuf>,
 }
@@ -144,8 +144,8 @@ pub struct MachineArgs {
     /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub settings: Vec<String>,
-    /// Area and energy of the pipelines: published unit costs on our counts with our glue; our netlist in the embedded library
-    /// (45 nm), or the same scaled to 65 nm.
+    /// Source of the pipelines' area and energy: published unit costs with our unit counts and glue; our netlist in the embedded
+    /// library (130 nm); or that netlist scaled to 65 nm.
     #[arg(long, default_value = "published", value_name = "METHOD", value_parser = pipeline_cost())]
     pub pipeline_cost: PipelineCostMethod,
 }

@@ -1,4 +1,4 @@
-//! The machine, and what is charted, stressed and studied.
+//! Arguments of the commands that simulate, chart, stress and study.
 
 use super::shared::{LoadArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
 use super::values::{factor, fraction, machine_structure, not_negative, one_of, size, structure, test};
@@ -42,7 +42,7 @@ pub struct PrecisionArgs {
     /// Width and height of the image in pixels.
     #[arg(long, default_value = "64x64", value_name = "WxH", value_parser = size)]
     pub size: [u32; 2],
-    /// Leave out formats that visit more than this many times the nodes of binary32: with too few bits all rays visit everything.
+    /// Leave out formats with more than this many times the node visits of binary32: with too few bits, every ray visits all nodes.
     #[arg(long, default_value_t = 64.0, value_name = "FACTOR", value_parser = factor)]
     pub most_visits: f64,
     /// Simulate the frame of the dual-split tree in each format on the machine.
@@ -70,10 +70,10 @@ pub struct FidelityArgs {
     /// Width and height of the image in pixels.
     #[arg(long, default_value = "96x96", value_name = "WxH", value_parser = size)]
     pub size: [u32; 2],
-    /// Samples of each size, of which the mean error and its spread are shown.
+    /// Number of samples of each size; the chart shows their mean error and its spread.
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub repeats: u32,
-    /// The whole frame with every pipeline operation executed by its netlist, too: several times as long as the machine.
+    /// Also simulate with every pipeline operation executed by its netlist, which takes several times as long.
     #[arg(long, default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
     pub rtl: bool,
     #[command(flatten)]
@@ -85,13 +85,13 @@ pub struct FidelityArgs {
 
 #[derive(Args, Debug)]
 pub struct StressArgs {
-    /// Rays of each of the known cases, at most; interpreted netlists get a fiftieth.
+    /// The most rays of each known case; interpreted netlists get a fiftieth.
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub rays: u64,
-    /// Rays that are aimed at corners, edges and faces of four meshes; interpreted netlists get 16 of each 16,384.
+    /// Number of rays aimed at corners, edges and faces of four meshes; interpreted netlists get 16 of each 16,384.
     #[arg(long, default_value_t = 20_000, value_name = "N")]
     pub aimed: u64,
-    /// Rays per method and mesh that a search walks towards the worst.
+    /// Number of rays per method and mesh that a search walks towards the worst case.
     #[arg(long, default_value_t = 8, value_name = "N")]
     pub searches: u64,
     /// Only this method, such as dst/binary32-robust, bvh2/bfloat16-naive, rtl/binary32-fast; may be repeated.
@@ -112,16 +112,16 @@ pub struct NeedsArgs {
     /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
     #[arg(long, default_value = "path", value_parser = test())]
     pub test: Test,
-    /// conservative: never loses a hit, may visit more; naive: everything rounded to nearest.
+    /// Rounding of traversal. conservative: to bounds, never loses a hit, visits more nodes; naive: to nearest.
     #[arg(long, default_value = "conservative", value_parser = one_of(Variant::ALL, Variant::name))]
     pub variant: Variant,
-    /// Greatest root mean square error of linear radiance against binary32.
+    /// The greatest root mean square error of linear radiance against binary32.
     #[arg(long, default_value_t = 0.0, value_name = "RMSE", value_parser = not_negative)]
     pub max_image_error: f64,
-    /// Greatest number of rays that hit nothing and should.
+    /// The greatest number of rays that lose their hit.
     #[arg(long, default_value_t = 0, value_name = "N")]
     pub max_false_miss: u64,
-    /// Node visits beyond those of binary32, as a fraction of them.
+    /// The greatest number of node visits beyond those of binary32, as a fraction of the latter.
     #[arg(long, default_value_t = 0.05, value_name = "FRACTION", value_parser = not_negative)]
     pub max_extra_visits: f64,
     #[command(flatten)]
@@ -157,22 +157,22 @@ pub struct SimulateArgs {
     pub size: [u32; 2],
     #[command(flatten)]
     pub machine: MachineArgs,
-    /// analytic: a bound from the work; transaction: the machine; rtl: the same with every pipeline operation executed by
-    /// its netlist; auto: no more than --tolerance asks for.
+    /// analytic: a lower bound from the work; transaction: the machine is simulated; rtl: in addition, netlists execute every
+    /// pipeline operation; auto: the cheapest level and sample within --tolerance.
     #[arg(long, default_value = "transaction", value_name = "LEVEL", hide_possible_values = true,
         value_parser = one_of(Fidelity::ALL, Fidelity::name))]
     pub fidelity: Fidelity,
     /// Time only this share of the frame, drawn at random by --seed, and estimate the rest [default: all of it].
     #[arg(long, value_name = "FRACTION", value_parser = fraction)]
     pub sample: Option<f64>,
-    /// For auto: greatest distance of the ends of the 95 % intervals of frame time and energy from their values [default: 2%].
+    /// For auto: how far the 95 % intervals of frame time and energy may reach to either side of the value [default: 2%].
     #[arg(long, value_name = "PERCENT", value_parser = fraction)]
     pub tolerance: Option<f64>,
     /// Also write the results as CSV: quantity, value, unit, meaning.
     #[arg(long, value_name = "FILE", requires = "scene")]
     pub csv: Option<PathBuf>,
-    /// Make the reference runs of a folder, with the preset simtrax-reference, and compare; exit code 1 if a quantity is
-    /// not within its tolerance.
+    /// Repeat the reference runs of a folder with the preset simtrax-reference, and compare the results; exit code 1 if a
+    /// quantity is not within its tolerance.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
     pub validate: Option<PathBuf>,
     /// Print the machine as a TOML file.
@@ -182,11 +182,12 @@ pub struct SimulateArgs {
 
 #[derive(Args, Debug)]
 pub struct StudyArgs {
-    /// small: scenes of a fiftieth, 32x32 pixels, 4 multiprocessors; quick: the same with 64x64 pixels, minutes; medium: scenes
-    /// of a quarter, 128x128 pixels, 32 multiprocessors, half an hour; paper: full-size scenes, 256x256 pixels, hours.
+    /// small: a fiftieth of the triangles, 32x32 pixels, 4 multiprocessors; quick: the same with 64x64 pixels, takes minutes;
+    /// medium: a quarter of the triangles, 128x128 pixels, 32 multiprocessors, takes half an hour; paper: all triangles,
+    /// 256x256 pixels, takes hours.
     #[arg(long, default_value = "quick", value_parser = ["small", "quick", "medium", "paper"])]
     pub preset: String,
-    /// Only this scene: the runs of a study can be shared out and go on where they were interrupted.
+    /// Simulate only this scene. Runs accumulate in the folder, so a study can be done in parts.
     #[arg(long, value_name = "SCENE")]
     pub scene: Option<String>,
     /// The folder to write; runs that it already holds are not repeated.
@@ -200,8 +201,8 @@ pub struct StudyArgs {
 
 #[derive(Args, Debug)]
 pub struct ReproduceArgs {
-    /// smoke: minute scenes and pictures, seconds; quick: small ones, under five minutes on two cores; paper: everything at
-    /// full size, many hours. An interrupted job goes on where it was.
+    /// smoke: tiny scenes and pictures, takes seconds; quick: small ones, takes less than five minutes on two cores; paper:
+    /// everything at full size, takes many hours. An interrupted job continues where it stopped.
     #[arg(long, default_value = "quick", value_parser = ["smoke", "quick", "paper"])]
     pub preset: String,
     /// The folder to write; one that this command made before is written anew.

@@ -1,4 +1,4 @@
-//! Scenes, trees and pictures.
+//! Arguments of the commands about scenes, trees and pictures.
 
 use super::shared::{DetailArgs, ModeArgs, QualityArgs, SceneArgs, StructureArgs, ViewArgs};
 use super::values::{pixel, quantity, row, structure, test};
@@ -27,10 +27,10 @@ pub struct TreeArgs {
     pub scene: SceneArgs,
     #[command(flatten)]
     pub quality: QualityArgs,
-    /// Save a structure to this file, for --tree of other commands.
+    /// Save a structure to this file, which other commands load with --tree.
     #[arg(long, value_name = "FILE")]
     pub save: Option<PathBuf>,
-    /// The structure to save; dst_scratch is the dual-split tree with a partition of its own.
+    /// The structure to save; dst_scratch is the dual-split tree of a partition optimized for dual-split trees.
     #[arg(long, default_value = "dst", requires = "save", value_parser = row())]
     pub structure: TreeKind,
 }
@@ -39,14 +39,14 @@ pub struct TreeArgs {
 pub struct TraceArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// The rays to trace, a DSTRAYS1 file.
+    /// The DSTRAYS1 file of the rays to trace.
     #[arg(long, value_name = "FILE")]
     pub rays: PathBuf,
     #[command(flatten)]
     pub structure: StructureArgs,
     #[command(flatten)]
     pub mode: ModeArgs,
-    /// Where to write the hits, a DSTHITS1 file.
+    /// The DSTHITS1 file to write the hits to.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }
@@ -67,13 +67,13 @@ pub struct RenderArgs {
     /// Samples per pixel.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub spp: u32,
-    /// Brightness of the PNG in factors of two; EXR files stay as they are.
+    /// Brightness of a PNG in factors of two; it does not change EXR files.
     #[arg(long, default_value_t = 0.0, value_name = "STOPS", allow_hyphen_values = true)]
     pub exposure: f32,
     /// Draw the work per pixel instead of the picture.
     #[arg(long, value_name = "QUANTITY", value_parser = quantity())]
     pub heatmap: Option<Quantity>,
-    /// Value at the end of the heat map's scale, to compare several [default: the largest of the picture].
+    /// Value at the end of the heat map's scale, to compare several maps [default: the largest of the map].
     #[arg(long, value_name = "N", requires = "heatmap", value_parser = clap::value_parser!(u32).range(1..))]
     pub heatmap_max: Option<u32>,
     /// The picture: .png (sRGB) or .exr (linear, with depth, normal, triangle and the counters as layers).
@@ -88,9 +88,9 @@ pub struct RenderArgs {
 pub struct CompareArgs {
     /// A .png or .exr file.
     pub a: PathBuf,
-    /// Another of the same format and size.
+    /// Another file of the same format and size.
     pub b: PathBuf,
-    /// Where to write the difference: .png as a heat map, .exr in numbers.
+    /// The file to write the difference to: .png as a heat map, .exr in numbers.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }
@@ -99,10 +99,10 @@ pub struct CompareArgs {
 pub struct ExplainArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Column and row of the pixel, counted from the upper left corner, from 0.
+    /// Column and row of the pixel, counted from 0 at the upper left corner.
     #[arg(long, value_name = "X,Y", value_parser = pixel)]
     pub pixel: [u32; 2],
-    /// A structure to trace through; can be repeated.
+    /// A structure to trace the ray through; may be repeated.
     #[arg(long, default_values = ["dst", "bvh2"], value_parser = structure())]
     pub structure: Vec<StructureKind>,
     #[command(flatten)]

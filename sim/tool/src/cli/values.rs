@@ -1,4 +1,4 @@
-//! What an argument's value may be.
+//! Parsers of argument values.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use estimate::{Method, embedded_library};
@@ -111,7 +111,7 @@ pub fn factor(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A fraction above 0 and at most 1, as such or in percent.
+/// A fraction above 0 and at most 1, written as a number or in percent.
 pub fn fraction(text: &str) -> Result<f64, String> {
     let (number, scale) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
     match number.trim().parse::<f64>() {

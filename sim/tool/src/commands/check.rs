@@ -1,4 +1,4 @@
-//! `dualsplit check`: the netlists of the hardware against the specification.
+//! `dualsplit check`: the comparison of the hardware's netlists with the specification.
 
 use crate::cli::{CheckArgs, Global};
 use crate::console::{Bars, Report, table};
@@ -49,7 +49,7 @@ struct Document {
     units: [Pairs; 1],
 }
 
-/// All pairs of operands of a format.
+/// The check of all pairs of operands of a format.
 fn pairs(words: &[String], args: &CheckArgs) -> anyhow::Result<Report> {
     let [format, operation] = words else { bail!("--exhaustive takes a format and an operation") };
     let operation = operation.parse().map_err(anyhow::Error::msg)?;

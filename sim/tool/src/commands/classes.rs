@@ -1,4 +1,4 @@
-//! The table of what rays have cost, class by class.
+//! The table of the work of rays by class.
 
 use crate::console::{fixed, table};
 use studies::work::ClassRow;

@@ -1,4 +1,4 @@
-//! `dualsplit compare`: how two pictures differ.
+//! `dualsplit compare`: the differences between two pictures.
 
 use crate::cli::{CompareArgs, Global};
 use crate::console::Report;

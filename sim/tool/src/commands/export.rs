@@ -1,4 +1,4 @@
-//! `dualsplit export`: Verilog of the hardware with everything that another engineer needs to use it.
+//! `dualsplit export`: the hardware as Verilog, with testbenches, constraints and READMEs.
 
 use crate::cli::{ExportArgs, Global};
 use crate::console::{Bars, Report};

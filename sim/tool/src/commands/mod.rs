@@ -29,8 +29,9 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
     let global = &cli.global;
     if let Some(threads) = global.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
-        pool.build_global()
-            .with_context(|| format!("--threads {threads}: the system does not start them"))?;
+        pool.build_global().with_context(|| {
+            format!("--threads {threads}: the system cannot start them; give a smaller number")
+        })?;
     }
     match &cli.command {
         Some(command) => dispatch(command, global),
@@ -38,7 +39,7 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
     }
 }
 
-/// Runs `command` on the threads that there are.
+/// Runs `command` on the threads of the global pool.
 fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
     match command {
         Command::Scenes(args) => scenes::run(args, global),

@@ -1,4 +1,4 @@
-//! `dualsplit needs`: the least hardware that a scene needs at an error budget.
+//! `dualsplit needs`: the least hardware that a scene needs within an error budget.
 
 use crate::cli::{Global, NeedsArgs};
 use crate::console::{Bars, Report, fixed, table};

@@ -1,4 +1,4 @@
-//! `dualsplit check --prove`: what holds for all inputs and states, by proof.
+//! `dualsplit check --prove`: proofs that the hardware equals its references for all inputs and states.
 
 use crate::cli::CheckArgs;
 use crate::console::{Bars, Report, fixed, table};

@@ -1,4 +1,4 @@
-//! `dualsplit reproduce`: the main job, all results in one folder.
+//! `dualsplit reproduce`: the main job, which writes all results to one folder.
 
 use crate::cli::{Cli, Global, ReproduceArgs};
 use crate::console::{Bars, Report, fixed, table};
@@ -48,7 +48,7 @@ pub fn run(
     Ok(report)
 }
 
-/// Both as tables.
+/// Trees and work as tables.
 fn text(d: &Document) -> String {
     let mut text = format!("Trees: {} quality, seed {}\n\n", d.quality, d.seed);
     let header =

@@ -1,4 +1,4 @@
-//! `dualsplit scenes`: what is built in, and its export.
+//! `dualsplit scenes`: the list of built-in scenes, and their export.
 
 use crate::cli::{Global, ScenesArgs};
 use crate::console::{Bars, Report, table};
@@ -18,7 +18,7 @@ struct Document {
 #[derive(Serialize)]
 struct Entry {
     name: &'static str,
-    /// At full detail.
+    /// Number of triangles at full detail.
     triangles: usize,
     stands_for: &'static str,
     description: &'static str,

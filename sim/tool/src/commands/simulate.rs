@@ -1,4 +1,4 @@
-//! `dualsplit simulate`: frames and reference runs on the many-core machine.
+//! `dualsplit simulate`: simulations of frames on the many-core machine.
 
 use super::validate;
 use crate::cli::{Global, SimulateArgs};
@@ -37,7 +37,7 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     Ok(report)
 }
 
-/// What was simulated, in words.
+/// The level, the sample and the intervals, as text.
 fn fidelity_text(f: &FidelityRow) -> String {
     let percent = |x: f64| fixed(100.0 * x, 2);
     let mut text = String::new();

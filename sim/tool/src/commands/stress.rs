@@ -1,4 +1,4 @@
-//! `dualsplit stress`: every method against the exact oracle, on inputs made to break it.
+//! `dualsplit stress`: every method, judged by the exact oracle on inputs made to break it.
 
 use crate::cli::{Global, StressArgs};
 use crate::console::{Bars, Report, fixed, table};

@@ -1,4 +1,4 @@
-//! `dualsplit study`: the paper's study, all scenes, structures and tests on the machine.
+//! `dualsplit study`: the paper's study of all scenes, structures and tests on the machine.
 
 use crate::cli::{Global, StudyArgs};
 use crate::console::{Bars, Report, fixed, table};
@@ -21,7 +21,7 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
     Ok(Report::new(&study, tables(&study)))
 }
 
-/// All of a study.
+/// All results of a study as tables.
 fn tables(study: &Study) -> String {
     let header = [
         "scene",
@@ -66,7 +66,7 @@ fn tables(study: &Study) -> String {
     text
 }
 
-/// One line for each run of a series, which varies what `of` gives.
+/// A table with one line for each run of a series. `of` returns the quantity that the series varies.
 fn across(rows: &[Row], of: fn(&Row) -> String) -> String {
     let header =
         ["scene", "test", "structure", "value", "frame ms", "energy mJ", "issue %", "data %", "halted %"];

@@ -1,4 +1,4 @@
-//! `dualsplit trace`: a saved ray stream, traced for closest hits.
+//! `dualsplit trace`: the closest hits of a saved stream of rays.
 
 use super::classes::class_table;
 use crate::cli::{Global, TraceArgs};

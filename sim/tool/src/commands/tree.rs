@@ -1,4 +1,4 @@
-//! `dualsplit tree`: sizes, costs and histograms of all structures; one can be saved.
+//! `dualsplit tree`: sizes, costs and histograms of all structures, one of which can be saved.
 
 use crate::cli::{Global, TreeArgs};
 use crate::console::{Bars, Report, fixed, table};
@@ -81,10 +81,10 @@ fn text(trees: &Trees) -> String {
     text
 }
 
-/// A histogram's label, and a column for each structure.
+/// Columns of a histogram: one for its label, and one for each structure.
 const COLUMNS: usize = TreeKind::ALL.len() + 1;
 
-/// The histograms of all structures side by side; rows where all are zero at either end are left out.
+/// The histograms of all structures side by side. Rows of zeros at either end are left out.
 fn histogram(structures: &[StructureRow], label: &str, of: impl Fn(&StructureRow) -> &Vec<u64>) -> String {
     let count = |s, at: usize| of(s).get(at).copied().unwrap_or(0);
     let length = structures.iter().map(|s| of(s).len()).max().unwrap_or(0);

@@ -1,4 +1,4 @@
-//! `dualsplit simulate --validate`: the reference runs on the many-core machine.
+//! `dualsplit simulate --validate`: the comparison of the many-core machine with the reference runs.
 
 use crate::console::{Bars, Report, fixed, table};
 use machine::reference::Compared;

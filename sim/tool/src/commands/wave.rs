@@ -1,4 +1,4 @@
-//! `dualsplit wave`: what a unit does with a scene's rays, as a waveform.
+//! `dualsplit wave`: the waveform of a unit that processes a scene's rays.
 
 use crate::cli::{Global, WaveArgs};
 use crate::console::{Bars, Report};

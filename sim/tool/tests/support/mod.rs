@@ -6,7 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-/// A folder with a small scene, `scene.obj`, in which the tool is run.
+/// A folder in which the tool runs, with a small scene, `scene.obj`.
 pub struct Workplace {
     folder: tempfile::TempDir,
 }
@@ -74,8 +74,8 @@ impl Workplace {
         serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{line}: {error}"))
     }
 
-    /// Runs the tool, which has to refuse: exit code 2, nothing on stdout, every one of `words` on stderr, and no
-    /// file more or less than before.
+    /// Runs the tool, which has to refuse its input: it ends with exit code 2, prints nothing to stdout and every one of `words`
+    /// to stderr, and makes or removes no file.
     pub fn refused(&self, line: &str, words: &[&str]) {
         let before = self.files();
         let output = self.run(line);

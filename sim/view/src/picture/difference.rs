@@ -1,15 +1,15 @@
-//! How two pictures differ.
+//! The difference of two pictures, in numbers.
 
 use super::{Format, Picture};
 
 /// The difference of two pictures of one size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// Root of the mean squared difference over all channels; infinite if only one of two values is a finite number.
+    /// Root mean square difference over all channels. It is infinite if one of two values is finite and the other is not.
     pub rmse: f64,
     /// Peak signal-to-noise ratio in decibels, `20 log10(peak / rmse)`; infinite for equal pictures.
     pub psnr_db: f64,
-    /// The value that counts as peak: 1 for PNG, the largest finite value of the first picture for EXR.
+    /// The peak value: 1 for PNG, the largest finite value of the first picture for EXR.
     pub peak: f64,
     /// The largest difference of any channel.
     pub max_abs: f64,
@@ -19,7 +19,7 @@ pub struct Difference {
     pub per_pixel: Picture<f32>,
 }
 
-/// Two pictures of different sizes.
+/// The error for two pictures of different sizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the pictures have {} x {} and {} x {} pixels; render both with the same --size", .0[0], .0[1], .1[0], .1[1])]
 pub struct SizeMismatch([u32; 2], [u32; 2]);
@@ -67,7 +67,7 @@ impl Difference {
     }
 }
 
-/// Zero for equal values, NaN being equal to NaN; infinite where the difference is no number.
+/// The absolute difference of two values. It is zero for two NaNs and for equal infinities, and infinite where it would be NaN.
 fn absolute_difference(a: f32, b: f32) -> f32 {
     if a == b || a.is_nan() && b.is_nan() {
         return 0.0;

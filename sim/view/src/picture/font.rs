@@ -6,8 +6,7 @@ use font8x8::{BASIC_FONTS, UnicodeFonts};
 /// Width and height of a character in pixels.
 pub const CHARACTER: u32 = 8;
 
-/// Draws `text` with its upper left corner at (`x`, `y`). Pixels outside the picture and characters beyond ASCII are
-/// left out.
+/// Draws `text` with its upper left corner at (`x`, `y`), without pixels outside the picture and characters beyond ASCII.
 pub fn draw(picture: &mut Picture<u8>, x: u32, y: u32, text: &str, colour: [u8; 3]) {
     for (character, left) in text.chars().zip((x..).step_by(CHARACTER as usize)) {
         for (row, line) in (y..).zip(BASIC_FONTS.get(character).unwrap_or_default()) {

@@ -1,11 +1,11 @@
-//! Heat maps with a colour bar and the maximum in numbers.
+//! Heat maps, with a colour bar and the largest value as a number.
 
 use super::{Picture, font};
 use colorgrad::Gradient;
 use render::{Rendering, Work};
 use std::fmt;
 
-/// What a heat map shows of each pixel.
+/// The quantity that a heat map shows for each pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Nodes read by all rays of the pixel.
@@ -19,7 +19,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All of them.
+    /// All quantities.
     pub const ALL: [Self; 4] = [Self::NodeVisits, Self::PlaneTests, Self::TriangleTests, Self::StackDepth];
 
     /// The quantity's name on the command line and in result files.
@@ -86,7 +86,7 @@ pub fn draw(
     scale_max: f64,
     label: &str,
 ) -> Picture<u8> {
-    // Perceptually uniform, and made of polynomials: the same colours on every machine.
+    // The colour map is perceptually uniform. It consists of polynomials, so its colours are the same on every machine.
     let gradient = colorgrad::preset::viridis();
     let colour = |fraction: f64| {
         let [r, g, b, _] = gradient.at(fraction as f32).to_rgba8();

@@ -19,10 +19,10 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that the ending of `path` asks for.
+    /// The format that the extension of `path` names.
     ///
     /// # Errors
-    /// [`PictureError`] for any other ending.
+    /// [`PictureError`] for other extensions.
     pub fn of(path: &Path) -> Result<Self, PictureError> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         match ending.to_ascii_lowercase().as_str() {
@@ -33,26 +33,26 @@ impl Format {
     }
 }
 
-/// Why a picture cannot be used. The message is `FILE: what is wrong; what to do`.
+/// Why a picture cannot be used. The message names the file, the cause and the remedy.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {kind}", path.display())]
 pub struct PictureError {
-    /// The file as it was named by the caller.
+    /// The file, as the caller named it.
     pub path: PathBuf,
-    /// What is wrong.
+    /// The reason.
     pub kind: PictureErrorKind,
 }
 
 /// The reasons for which a picture cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum PictureErrorKind {
-    /// The ending names no format.
+    /// The extension names no format.
     #[error("pictures are .png or .exr files; give the name one of these endings")]
     Ending,
     /// The file cannot be read.
     #[error("cannot read the file ({0}); check its name and permissions")]
     Read(std::io::Error),
-    /// The content is not a picture of that format.
+    /// The content is not a picture of the format that the extension names.
     #[error("not a picture of the format that its ending names ({0}); write it again")]
     Damaged(String),
 }
@@ -83,7 +83,7 @@ impl<T: Copy> Picture<T> {
     }
 }
 
-/// Reads the colours of a `.png` (as fractions of white, in sRGB) or `.exr` (linear).
+/// Reads the colours of a `.png` file (as fractions of white, in sRGB) or of an `.exr` file (linear).
 ///
 /// # Errors
 /// [`PictureError`] names the file and the remedy.

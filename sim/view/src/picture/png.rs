@@ -5,7 +5,7 @@ use png::{BitDepth, ColorType, Compression, Decoder, Encoder, Filter, Transforma
 use render::{MAX_PIXELS, Rendering};
 use std::io::Cursor;
 
-/// The picture as a display shows it, brightened by `exposure_stops` factors of two; values beyond white are cut off.
+/// The picture as a display shows it, brightened by `exposure_stops` factors of two. Values beyond white become white.
 #[must_use]
 pub fn develop(rendering: &Rendering, exposure_stops: f32) -> Picture<u8> {
     let gain = libm::exp2f(exposure_stops);
@@ -41,7 +41,7 @@ pub fn encode(picture: &Picture<u8>) -> Vec<u8> {
     bytes
 }
 
-/// The colours of a PNG file as fractions of white, whatever its depth; transparency is ignored.
+/// The colours of a PNG file of any depth as fractions of white, without its transparency.
 pub(super) fn decode(bytes: &[u8]) -> Result<Picture<f32>, String> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::EXPAND);
@@ -97,7 +97,7 @@ mod tests {
         assert!(decode(b"not a PNG").is_err());
     }
 
-    /// Of grey and colour, with and without alpha, of 8 and 16 bits.
+    /// Reads grey and colour, with and without alpha, of 8 and 16 bits.
     #[test]
     fn every_kind_of_pixel_is_read() {
         for color in [ColorType::Grayscale, ColorType::GrayscaleAlpha, ColorType::Rgb, ColorType::Rgba] {

@@ -1,4 +1,4 @@
-//! Horizontal bars in groups, side by side or stacked.
+//! Charts of horizontal bars in groups, side by side or stacked.
 
 use super::legend::Legend;
 use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, TOP, WIDTH, colour, number, responsive, text_width};
@@ -8,13 +8,13 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 /// Quantities of several series in several categories.
 #[derive(Clone, Debug, Default)]
 pub struct Bars {
-    /// What is shown.
+    /// The heading of the chart.
     pub title: String,
     /// The quantity and its unit.
     pub unit: String,
-    /// One group of bars each.
+    /// Names of the categories, each of which has a group of bars.
     pub categories: Vec<String>,
-    /// Name, and a value for each category, absent where there is none.
+    /// For each series, its name, and its value in each category, which may be absent.
     pub series: Vec<(String, Vec<Option<f64>>)>,
     /// Whether the series of a category add up in one bar.
     pub stacked: bool,
@@ -27,7 +27,7 @@ const GAP: i32 = 12;
 const RIGHT: i32 = 84;
 
 impl Bars {
-    /// The drawing.
+    /// The chart as SVG.
     #[must_use]
     pub fn svg(&self) -> String {
         let legend = Legend::new(self.series.iter().map(|(name, _)| name.as_str()));

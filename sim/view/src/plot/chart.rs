@@ -1,4 +1,4 @@
-//! Points and lines over two axes.
+//! Charts of points and lines over two axes.
 
 use super::legend::Legend;
 use super::log_scale::LogScale;
@@ -12,7 +12,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 pub struct Axis {
     /// The quantity and its unit.
     pub label: String,
-    /// Whether the scale is logarithmic; points that are not positive are then left out.
+    /// Whether the scale is logarithmic. A logarithmic scale leaves out points that are not positive.
     pub log: bool,
 }
 
@@ -41,12 +41,12 @@ pub struct Point {
     pub marked: bool,
 }
 
-/// Points that belong together.
+/// Points with a common name and style.
 #[derive(Clone, Debug, Default)]
 pub struct Series {
     /// Name in the legend.
     pub name: String,
-    /// How they are drawn.
+    /// How the points are drawn.
     pub style: Style,
     /// The points, in the order in which they are joined.
     pub points: Vec<Point>,
@@ -55,7 +55,7 @@ pub struct Series {
 /// A chart of series.
 #[derive(Clone, Debug, Default)]
 pub struct Chart {
-    /// What is shown.
+    /// The heading of the chart.
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
@@ -86,7 +86,7 @@ impl Axis {
         value.is_finite() && (!self.log || value > 0.0)
     }
 
-    /// Where the axis begins and ends.
+    /// The ends of the axis.
     fn extent(&self, values: impl Iterator<Item = f64>) -> (f64, f64) {
         let (low, high) = values
             .filter(|&v| self.shows(v))
@@ -96,7 +96,7 @@ impl Axis {
             (false, false) => (0.0, 1.0),
             (true, true) => ((low / 1.5).max(f64::MIN_POSITIVE), (high * 1.5).min(f64::MAX)),
             (true, false) => {
-                // A scale that comes near zero includes zero, so that lengths can be compared.
+                // If the values come near zero, the scale includes zero, so that lengths can be compared.
                 let low = if low >= 0.0 && low < high / 2.0 { 0.0 } else { low };
                 let margin = if high > low { 0.06 * (high - low) } else { 0.5 * high.abs().max(1.0) };
                 (if low == 0.0 { 0.0 } else { low - margin }, high + margin)
@@ -106,7 +106,7 @@ impl Axis {
 }
 
 impl Chart {
-    /// The drawing.
+    /// The chart as SVG.
     #[must_use]
     pub fn svg(&self) -> String {
         let points = || self.series.iter().flat_map(|series| &series.points);
@@ -203,7 +203,7 @@ impl Chart {
     }
 }
 
-/// The shape of a series' markers, in pixels around the point: square, diamond, two triangles, bar, then again.
+/// The shape of a series' markers, in pixels around the point. The shapes repeat: square, diamond, two triangles, bar.
 fn marker_outline(index: usize) -> Vec<(i32, i32)> {
     let r = MARKER;
     match index % 5 {

@@ -1,13 +1,13 @@
-//! Names of series, above the drawing, where they hide nothing.
+//! The legend: the names of series, above the chart.
 
 use super::{WIDTH, text_width};
 
 const LINE: i32 = 20;
 const LEFT: i32 = 8;
-/// Pixels of an entry beside its text.
+/// Width in pixels of an entry without its text.
 const MARK_AND_GAP: i32 = 34;
 
-/// Where the name of each series stands. A single series has no entry.
+/// The place of each series' name. A single series has no entry.
 pub struct Legend {
     pub entries: Vec<Entry>,
 }
@@ -20,7 +20,7 @@ pub struct Entry {
 }
 
 impl Legend {
-    /// Places the names from left to right, in as many lines as they take.
+    /// Places the names from left to right, in as many lines as they need.
     pub fn new<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> Self {
         let (mut x, mut y) = (LEFT, 0);
         let mut entries = vec![];

@@ -11,14 +11,14 @@ pub struct LogScale {
     high: f64,
 }
 
-/// The fewest ticks that show where values lie.
+/// The fewest ticks by which values can be read off.
 const LEAST: usize = 3;
 
 impl LogScale {
     /// A scale from `low` to `high`.
     ///
     /// # Panics
-    /// If they are not positive and finite, or not in this order.
+    /// If `low` and `high` are not positive and finite, or `low` is not less than `high`.
     pub fn new(low: f64, high: f64) -> Self {
         assert!(0.0 < low && low < high && high.is_finite(), "a logarithmic scale from {low} to {high}");
         Self { low, high }
@@ -38,7 +38,7 @@ impl LogScale {
         denser.into_iter().find(|ticks| fits(ticks) && ticks.len() >= LEAST).unwrap_or(found)
     }
 
-    /// Ticks at `digits`, in one of so many `decades`.
+    /// Ticks at `digits` times a power of ten, in every `decades`th decade.
     fn at_digits(&self, digits: impl IntoIterator<Item = u32> + Clone, decades: i32) -> Vec<f64> {
         let exponent = |value: f64| value.log10().floor() as i32;
         let all = exponent(self.low)..=exponent(self.high) + 1;
@@ -62,7 +62,7 @@ impl LogScale {
     }
 }
 
-/// `digit` times that power of ten, correctly rounded.
+/// `digit` times ten to the power `exponent`, correctly rounded.
 fn in_decimal(digit: u32, exponent: i32) -> f64 {
     format!("{digit}e{exponent}").parse().expect("a number")
 }

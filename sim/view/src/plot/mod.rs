@@ -1,9 +1,9 @@
 //! Charts as SVG, for files and for the report's page.
 //!
-//! [`Bars`] compares quantities, with the exact number beside each bar; [`Chart`] draws points and lines over two
-//! axes, with error bars and labels. Colours are those of Okabe and Ito, which colour-blind readers can tell apart;
-//! series differ in their markers too. [`Bars::max`] gives bars that are to be compared the same scale. The program
-//! that shows a file draws its text, so the bytes do not depend on the machine's fonts.
+//! [`Bars`] compares quantities, with the number beside each bar. [`Chart`] draws points and lines over two axes, with error bars
+//! and labels. Colours are those of Okabe and Ito, which colour-blind readers can tell apart, and series differ in their markers
+//! too. [`Bars::max`] gives several charts the same scale. The program that shows a file draws its text, so the bytes do not
+//! depend on the machine's fonts.
 
 mod bars;
 mod chart;
@@ -27,9 +27,9 @@ const PALETTE: [RGBColor; 8] = [
     RGBColor(153, 153, 153),
 ];
 
-/// Text and axes.
+/// Colour of text and axes.
 const INK: RGBColor = RGBColor(40, 40, 40);
-/// Lines that guide the eye.
+/// Colour of grid lines.
 const GRID: RGBColor = RGBColor(224, 224, 224);
 const FONT: &str = "sans-serif";
 const FONT_PX: u32 = 15;
@@ -48,7 +48,7 @@ fn text_width(text: &str) -> u32 {
     text.chars().count() as u32 * FONT_PX / 2
 }
 
-/// `x` with about four significant digits, as it stands beside a bar or at a tick.
+/// `x` with about four significant digits, for bars and ticks.
 #[must_use]
 pub fn number(x: f64) -> String {
     if x == 0.0 {
@@ -62,7 +62,7 @@ pub fn number(x: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// Makes a drawing as wide as the page that shows it, and at most as wide as it was drawn.
+/// An SVG that fills the width of the page that shows it, up to its own width.
 fn responsive(svg: &str, width: u32, height: u32) -> String {
     let fixed = format!("width=\"{width}\" height=\"{height}\"");
     svg.replacen(&fixed, &format!("style=\"width:100%;max-width:{width}px;height:auto\""), 1)

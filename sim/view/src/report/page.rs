@@ -4,10 +4,10 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::fmt::Write;
 
-/// The report.
+/// A report.
 #[derive(Clone, Debug, Default)]
 pub struct Page {
-    /// Heading, and title of the window.
+    /// Heading of the page, and title of its window.
     pub title: String,
     /// Paragraphs below the heading.
     pub summary: Vec<String>,
@@ -18,57 +18,57 @@ pub struct Page {
 /// A part with a heading.
 #[derive(Clone, Debug, Default)]
 pub struct Section {
-    /// The heading; links go to it by this name in lower case with hyphens.
+    /// The heading. Its anchor is the same text in lower case with hyphens.
     pub title: String,
     /// Paragraphs below the heading.
     pub text: Vec<String>,
-    /// What follows, in order.
+    /// Tables, charts and pictures below the text, in order.
     pub items: Vec<Item>,
 }
 
-/// Something to look at.
+/// A table, a chart, or a row of pictures.
 #[derive(Clone, Debug)]
 pub enum Item {
-    /// Numbers in rows.
+    /// A table.
     Table(Table),
-    /// A drawing.
+    /// A chart.
     Figure(Figure),
     /// Pictures side by side.
     Pictures(Vec<Picture>),
 }
 
-/// Numbers in rows; columns that hold numbers only are aligned to the right.
+/// A table. Columns whose cells are all numbers are aligned to the right.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
     /// Column headings.
     pub header: Vec<String>,
     /// Cells, as many in each row as headings.
     pub rows: Vec<Vec<String>>,
-    /// The file with the numbers, relative to the page; none if empty.
+    /// The path, relative to the page, of the file with the numbers; empty if there is none.
     pub csv: String,
-    /// The command that makes the numbers again; none if empty.
+    /// The command that makes the numbers again; empty if there is none.
     pub command: String,
 }
 
-/// A drawing.
+/// A chart.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
-    /// The drawing, an SVG element.
+    /// The chart as an SVG element.
     pub svg: String,
-    /// What it shows.
+    /// The caption.
     pub caption: String,
-    /// As for [`Table::csv`].
+    /// See [`Table::csv`].
     pub csv: String,
-    /// As for [`Table::command`].
+    /// See [`Table::command`].
     pub command: String,
 }
 
 /// A picture.
 #[derive(Clone, Debug, Default)]
 pub struct Picture {
-    /// A PNG file's bytes.
+    /// The bytes of a PNG file.
     pub png: Vec<u8>,
-    /// What it shows.
+    /// The caption.
     pub caption: String,
 }
 
@@ -83,7 +83,7 @@ impl Table {
         }
     }
 
-    /// Adds the CSV file and the command that belong to the table.
+    /// Adds the CSV file and the command of the table's numbers.
     #[must_use]
     pub fn from(mut self, csv: &str, command: &str) -> Self {
         (self.csv, self.command) = (csv.to_owned(), command.to_owned());
@@ -185,7 +185,7 @@ fn paragraphs(texts: &[String]) -> String {
     texts.iter().map(|text| paragraph("p", &escape(text))).collect()
 }
 
-/// Nothing if there is no text.
+/// A paragraph, or an empty string if there is no text.
 fn paragraph(open: &str, html: &str) -> String {
     if html.is_empty() { String::new() } else { format!("<{open}>{html}</p>\n") }
 }

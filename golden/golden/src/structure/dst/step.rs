@@ -124,3 +124,7 @@ fn carve(header: u32, planes: [f32; 2], ray: &impl PlaneDistances, parent: Child
 fn axis_index(code: u32) -> usize {
     code.min(2) as usize
 }
+
+#[cfg(test)]
+#[path = "step_tests.rs"]
+mod tests;

@@ -1,4 +1,4 @@
-//! What the hardware is, that it equals its specification, and what it costs.
+//! The sections about the hardware: its equivalence to the specification, its units and its costs.
 
 use super::super::stages::Outcome;
 use super::{cell, rows};
@@ -32,7 +32,7 @@ pub fn equivalence(check: &Outcome) -> Section {
     }
 }
 
-/// Units, latency, area and energy of the pipelines beside what is published; costs by netlist if they were estimated.
+/// Units, latency, area and energy of the pipelines beside the published figures, with costs by netlist if they were estimated.
 pub fn pipelines(estimate: Option<&Outcome>) -> anyhow::Result<Section> {
     let mut items = vec![inventory()?];
     let mut text = vec![format!(

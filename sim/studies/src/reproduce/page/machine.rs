@@ -1,4 +1,4 @@
-//! Frame time and energy of the eight structures.
+//! The sections about frame time and energy of the eight structures.
 
 use super::super::stages::Outcome;
 use super::{Results, cell, rows};
@@ -10,9 +10,9 @@ use view::report::{Figure, Item, Section, Table};
 
 const CSV: &str = "../study/study.csv";
 
-/// The sections that the study fills; none without it.
+/// The sections that show the study; none if the job has no study.
 pub fn sections(results: &Results<'_>) -> anyhow::Result<Vec<Section>> {
-    // A study in several parts: the last has all rows.
+    // Where the study has several parts, the last has the rows of all.
     let Some((_, study)) = results.outcomes.iter().rfind(|(name, _)| name.starts_with("study")) else {
         return Ok(vec![]);
     };
@@ -21,7 +21,7 @@ pub fn sections(results: &Results<'_>) -> anyhow::Result<Vec<Section>> {
     Ok(vec![times(study, all), split(study, all), scaling(results, study)?])
 }
 
-/// The one command that does what one command for each scene did.
+/// The command for all scenes that stands for the commands for single scenes.
 fn of_all_scenes(command: &str) -> String {
     let mut words: Vec<&str> = command.split(' ').collect();
     if let Some(at) = words.iter().position(|word| *word == "--scene") {
@@ -39,7 +39,7 @@ fn find<'a>(all: &'a [Value], scene: &str, test: &str, structure: &str) -> Optio
     all.iter().find(|row| row["scene"] == scene && row["test"] == test && row["structure"] == structure)
 }
 
-/// A quantity of all structures and scenes; both tests on one scale.
+/// A bar chart of one quantity over all structures and scenes. The charts of both tests have the same scale.
 fn bars(study: &Outcome, all: &[Value], test: &str, (title, unit, key): (&str, &str, &str)) -> Item {
     let scenes = scenes(all);
     let value =

@@ -30,18 +30,18 @@ fn command(document: &Document) -> String {
     }
 }
 
-/// What the page is made of.
+/// The results that the page shows.
 pub struct Results<'a> {
     /// Trees and work of all scenes.
     pub document: &'a Document,
-    /// What the other parts have found, by name.
+    /// The results of the other parts of the job, by name.
     pub outcomes: &'a [(String, Outcome)],
     /// The folder of the job.
     pub folder: &'a Path,
 }
 
 impl Results<'_> {
-    /// The page, in which files are named relative to its folder.
+    /// The page. It names files relative to its own folder.
     pub fn page(&self, pictures: Pictures) -> anyhow::Result<Page> {
         let d = self.document;
         let sample = format!(
@@ -85,7 +85,7 @@ impl Results<'_> {
         self.outcomes.iter().find(|(other, _)| other == name).map(|(_, outcome)| outcome)
     }
 
-    /// The drawing `file` of the folder that `outcome` has filled.
+    /// The chart `file` in the folder that `outcome` filled.
     fn figure(
         &self,
         outcome: &Outcome,
@@ -104,12 +104,12 @@ impl Results<'_> {
     }
 }
 
-/// The elements of an array, none of anything else.
+/// The elements of `value` if it is an array, else none.
 fn rows(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }
 
-/// A value as it stands in a table.
+/// A value as a table shows it.
 fn cell(value: &Value) -> String {
     match value {
         Value::Null => String::new(),

@@ -1,11 +1,11 @@
-//! Speed against accuracy, of the hardware and of the simulator; stability; what a scene needs.
+//! The sections about speed against accuracy, of the hardware and of the simulator, about stability, and about needs.
 
 use super::super::stages::Outcome;
 use super::{Results, cell, rows};
 use serde_json::Value;
 use view::report::{Item, Section, Table};
 
-/// The sections of the parts that there are.
+/// A section for each of these parts that the job has.
 pub fn sections(results: &Results<'_>) -> anyhow::Result<Vec<Section>> {
     let mut sections = vec![];
     if let Some(outcome) = results.outcome("precision") {
@@ -119,7 +119,7 @@ fn fidelity(results: &Results<'_>, outcome: &Outcome) -> anyhow::Result<Section>
     })
 }
 
-/// Sums over cases, by method.
+/// Counts of wrong results by method, summed over all cases.
 fn stability(outcome: &Outcome) -> Section {
     const KEYS: [&str; 7] =
         ["rays", "false_misses", "false_hits", "wrong_nearest", "nan", "lost", "excess_visits"];

@@ -1,4 +1,4 @@
-//! Sizes of the trees and the work of traversing them.
+//! The sections about the sizes of the trees and the work of traversing them.
 
 use super::super::results::{Document, RenderResult, SceneResult};
 use super::command;
@@ -7,7 +7,7 @@ use render::Test;
 use view::plot::{Bars, number};
 use view::report::{Figure, Item, Section, Table};
 
-/// One series for each structure, a value for each scene.
+/// A series for each structure, with a value for each scene.
 fn by_structure<'a>(
     document: &'a Document,
     value: impl Fn(&'a SceneResult, StructureKind) -> Option<f64>,

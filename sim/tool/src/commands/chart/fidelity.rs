@@ -1,4 +1,4 @@
-//! `dualsplit chart fidelity`: the host's time against the error of the simulation.
+//! `dualsplit chart fidelity`: charts of the host's time against the error of the simulation.
 
 use crate::cli::{FidelityArgs, Global};
 use crate::console::{Bars, Report, fixed, table};

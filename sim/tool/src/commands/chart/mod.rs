@@ -1,4 +1,4 @@
-//! `dualsplit chart`: a cost against an error.
+//! `dualsplit chart`: charts of cost against error.
 
 pub mod fidelity;
 pub mod precision;
