@@ -534,7 +534,7 @@ fn aabb(words: [f32; 6]) -> Aabb {
 /// A float that is an integer as one; what is out of range gives 2^31 - 1, as MIPS32 has it.
 #[inline(always)]
 fn to_integer(x: f32) -> u32 {
-    if x >= -2_147_483_648.0 && x < 2_147_483_648.0 { x as i32 as u32 } else { i32::MAX as u32 }
+    if (-2_147_483_648.0..2_147_483_648.0).contains(&x) { x as i32 as u32 } else { i32::MAX as u32 }
 }
 
 const _: () = assert!(FIRST_FLOAT == 32);

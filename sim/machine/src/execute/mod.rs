@@ -45,7 +45,7 @@ pub struct Executor<S> {
     /// Where items begin, in the order in which a thread comes to them.
     entries: Vec<EntryId>,
     /// Threads that execute nothing at the moment.
-    idle: Mutex<Vec<Box<Thread>>>,
+    idle: Mutex<Vec<Thread>>,
     left: Mutex<Left>,
 }
 
@@ -91,7 +91,7 @@ impl<S: Special> Executor<S> {
             special,
             items,
         };
-        let mut thread = Box::new(Thread::new(&program));
+        let mut thread = Thread::new(&program);
         let (mut set_up, mut entry) = (SetUp::start(), START);
         set_up.restore(&mut thread);
         let (mut words, mut counts) = (vec![], vec![0; program.code.runs.len()]);
@@ -213,7 +213,7 @@ impl<S: Special> Executor<S> {
         tape: &mut Tape<'_>,
     ) -> Result<u64, Box<Fault>> {
         let idle = self.idle.lock().expect("no panic while it was held").pop();
-        let mut thread = idle.unwrap_or_else(|| Box::new(Thread::new(&self.program)));
+        let mut thread = idle.unwrap_or_else(|| Thread::new(&self.program));
         let stop = self.run(&mut thread, special, item, (entry, self.set_up(entry)), tape);
         let stop = stop.map_err(|fault| self.explained(fault, entry))?;
         if let Stop::Counter(at, next) = stop {
