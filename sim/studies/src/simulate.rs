@@ -151,6 +151,9 @@ impl StepRow {
     }
 }
 
+/// Batches that a frame needs so that a sample of them costs less than all.
+const FEWEST_BATCHES: u32 = 12;
+
 /// Simulates the frame.
 ///
 /// # Errors
@@ -181,6 +184,14 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     let start = Instant::now();
     let (estimate, steps) = match args.fidelity {
         Fidelity::Auto => {
+            let batches = subject.batches(Sample::ALL.batch_fills).count;
+            if batches < FEWEST_BATCHES {
+                progress.note(&format!(
+                    "--fidelity auto saves nothing here: {width}x{height} pixels are {batches} batches of one pixel a thread \
+                     ({} threads), fewer than {FEWEST_BATCHES}",
+                    subject.threads()
+                ));
+            }
             let tolerance = args.tolerance.unwrap_or(TOLERANCE);
             let mut steps = auto(&subject, tolerance, args.scene.seed, |pixels| part.advance(pixels.into()))?;
             let rows = steps.iter().map(StepRow::new).collect();

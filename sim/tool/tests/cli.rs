@@ -239,6 +239,19 @@ fn files_are_kept_without_force() {
 }
 
 #[test]
+fn frames_with_fewer_pixels_than_threads_work_at_every_level() {
+    let work = Workplace::new();
+    for level in ["analytic --sample 10%", "transaction --sample 10%", "auto"] {
+        for size in ["1x1", "24x24"] {
+            let frame =
+                format!("simulate scene.obj --quality fast --size {size} --test raycast --fidelity {level}");
+            let document = work.json(&frame);
+            assert!(document["frame_ms"].as_f64().unwrap() > 0.0, "{frame}");
+        }
+    }
+}
+
+#[test]
 fn bad_input_is_named() {
     let work = Workplace::new();
     work.write("empty.obj", b"");
@@ -258,6 +271,8 @@ fn bad_input_is_named() {
     work.refused("trace scene.obj --rays short.rays", &["short.rays", "offset", "ray 0 of 2"]);
     work.refused("trace scene.obj --rays scene.obj", &["scene.obj", "DSTRAYS1"]);
     work.refused("trace scene.obj --rays none.rays", &["none.rays"]);
+    work.refused("check --vectors 0", &["--vectors", "0"]);
+    work.refused("check --unit fp_add --vectors 0 --mutate 1", &["--vectors", "0"]);
     work.refused("compare no.png no.png", &["no.png"]);
     work.refused("compare scene.obj no.png", &["scene.obj", ".exr"]);
     work.refused("frobnicate", &["frobnicate"]);

@@ -18,7 +18,7 @@
 //! | `ENTRY d, lane` | the distance at which the box in the lane was entered |
 //! | `EXACT hit, t, u, v, a, origin x3, direction x3` | [`golden::triangle::exact_hit`] on the triangle at word `a` |
 //!
-//! `EXACT` stands for the library routine that decides a triangle test which single precision does not; it is rare, and counts as
+//! `EXACT` stands for the library routine that decides a triangle test which single precision does not, and counts as
 //! one instruction. Ordinary loads and stores (`lw`, `swc1`) reach the thread's local store only. `%gp_rel` loads bring constants
 //! of the program.
 

@@ -65,6 +65,9 @@ fn next_sample(
     seed: u64,
 ) -> Result<Sample, FidelityError> {
     let sample = Sample::of(pairs, seed);
+    if subject.batches(sample.batch_fills).drawable() < 2 {
+        return Ok(Sample::ALL);
+    }
     let (batches, _, plan) = subject.plan(&sample)?;
     let skipped: usize = plan.skipped.iter().map(ExactSizeIterator::len).sum();
     let timed = 1.0 - skipped as f64 / f64::from(batches.items);

@@ -137,6 +137,9 @@ impl<'a> Subject<'a> {
         sample: &Sample,
         pixels_done: impl FnMut(u32) + Send,
     ) -> Result<Estimate, FidelityError> {
+        // A frame with fewer pixels than the machine has threads, say, has no batch to draw.
+        let whole = Sample { pairs: None, ..*sample };
+        let sample = if self.batches(sample.batch_fills).drawable() < 2 { &whole } else { sample };
         match level {
             Level::Analytic => self.analytic(sample),
             Level::Rtl if self.machine.pipeline.is_none() => {

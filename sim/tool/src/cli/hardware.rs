@@ -13,7 +13,7 @@ pub struct CheckArgs {
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Option<Top>,
     /// Operations to compare for each unit, besides stalls and bubbles.
-    #[arg(long, default_value_t = 10_000, value_name = "N")]
+    #[arg(long, default_value_t = 10_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub vectors: u64,
     /// Put fault N of the unit's faults, counted from 0, into its netlist first, to see the check fail.
     #[arg(long, value_name = "N", requires = "unit", conflicts_with_all = ["exhaustive", "prove"])]
