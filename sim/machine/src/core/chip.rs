@@ -3,18 +3,15 @@
 mod serve;
 
 use super::ahead::ahead;
-use super::blocked::Blocked;
-use super::dram::Dram;
-use super::l2::L2;
 use super::plan::{Noted, Plan, loads};
-use super::quantum;
 use super::request::Request;
-use super::stats::{CacheCounts, DramCounts, ThreadCycles};
+use super::stats::ThreadCycles;
 use super::tm::Tm;
 use super::work::{Tape, Work};
 use crate::description::MachineDescription;
 use crate::execute::Fault;
 use crate::program::Program;
+use memory::{CacheCounts, DramCounts, Memory, Port};
 
 /// Why a simulation stops.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -52,8 +49,6 @@ pub struct Counts {
 /// A multiprocessor with the work of its threads.
 struct Seat {
     tm: Tm,
-    /// Its partition.
-    partition: usize,
     /// The item that each thread has got from the counter.
     items: Vec<u32>,
     /// Times that each run was recorded.
@@ -61,12 +56,11 @@ struct Seat {
 }
 
 struct Chip<'a> {
-    machine: &'a MachineDescription,
     program: &'a Program,
     work: &'a dyn Work,
     seats: Vec<Seat>,
-    l2s: Vec<L2>,
-    dram: Dram,
+    /// With a port for each seat.
+    memory: Memory,
     next_item: u32,
     /// Start of the current quantum.
     now: u32,
@@ -74,9 +68,6 @@ struct Chip<'a> {
     length: u32,
     /// Room for the requests that are served next.
     tries: Vec<Request>,
-    /// Reads that found their memory channel full.
-    blocked: Blocked,
-    line_shift: u32,
     plan: &'a Plan,
     /// Number of the plan's skipped ranges that the counter has passed.
     skips: usize,
@@ -129,27 +120,22 @@ fn time(
     plan: &Plan,
     mut items_done: impl FnMut(u32),
 ) -> Result<(Counts, Vec<Noted>), SimulationError> {
-    let tms = machine.chip.tms();
+    let (tms, memory) = (machine.chip.tms(), Memory::new(&machine.memory()));
     let mut chip = Chip {
-        machine,
         program,
         work,
         seats: (0..tms as u16)
             .map(|tm| Seat {
                 tm: Tm::new(tm, machine),
-                partition: usize::from(tm) / machine.chip.tms_per_partition as usize,
                 items: vec![0; machine.tm.threads as usize],
                 runs: vec![0; program.code.runs.len()],
             })
             .collect(),
-        l2s: (0..machine.chip.l2_partitions).map(|_| L2::new(&machine.l2)).collect(),
-        dram: Dram::new(&machine.dram),
+        length: memory.quantum(),
+        memory,
         next_item: 0,
         now: 0,
-        length: quantum::cycles(machine),
         tries: vec![],
-        blocked: Blocked::new(machine.dram.channels),
-        line_shift: machine.l1.line_words().trailing_zeros(),
         plan,
         skips: 0,
         noted: Vec::with_capacity(plan.marks.len()),
@@ -189,7 +175,13 @@ impl Seat {
     }
 
     /// Gives new tapes to the threads that need them and lets them catch up.
-    fn change_tapes(&mut self, program: &Program, work: &dyn Work, fault: &mut Option<Box<Fault>>) {
+    fn change_tapes(
+        &mut self,
+        program: &Program,
+        work: &dyn Work,
+        port: &mut Port,
+        fault: &mut Option<Box<Fault>>,
+    ) {
         while let Some(thread) = self.tm.ended.pop() {
             let thread = usize::from(thread);
             if let Err(found) = self.change_tape(program, work, thread) {
@@ -197,7 +189,7 @@ impl Seat {
                 fault.get_or_insert(found);
                 self.tm.halt(thread);
             }
-            self.tm.run(program, thread);
+            self.tm.run(program, port, thread);
         }
     }
 
@@ -219,27 +211,21 @@ impl Seat {
 impl Chip<'_> {
     fn quantum(&mut self) {
         let (start, end) = (self.now, self.now + self.length);
-        self.dram.advance(start);
-        let (seats, l2s) = (&mut self.seats, &mut self.l2s);
-        self.dram.announce(start, |arrival| {
-            let seat = &mut seats[usize::from(arrival.requester.tm)];
-            l2s[seat.partition].arrives(arrival.line, arrival.cycle);
-            seat.tm.arrives(arrival.line, arrival.cycle);
-        });
-        self.l2s.iter_mut().for_each(|l2| l2.begin(start));
-        let (program, work, fault) = (self.program, self.work, &mut self.fault);
-        for seat in &mut self.seats {
-            seat.tm.quantum(program, start, end);
-            seat.change_tapes(program, work, fault);
+        let (program, work, seats) = (self.program, self.work, &mut self.seats);
+        self.memory
+            .begin(start, |client, cycle| seats[usize::from(client.port)].tm.arrives(client.number, cycle));
+        for (seat, port) in seats.iter_mut().zip(self.memory.ports()) {
+            seat.tm.quantum(program, port, start, end);
+            seat.change_tapes(program, work, port, &mut self.fault);
         }
-        let mut wakes = !self.blocked.is_empty();
+        let mut wakes = self.memory.keeps();
         while wakes || self.seats.iter().any(|seat| !seat.tm.shared.asked.is_empty()) {
             self.serve(start, wakes);
             wakes = false;
-            for seat in &mut self.seats {
-                seat.change_tapes(program, work, &mut self.fault);
-                seat.tm.catch_up(program);
-                seat.change_tapes(program, work, &mut self.fault);
+            for (seat, port) in self.seats.iter_mut().zip(self.memory.ports()) {
+                seat.change_tapes(program, work, port, &mut self.fault);
+                seat.tm.catch_up(program, port);
+                seat.change_tapes(program, work, port, &mut self.fault);
             }
         }
         self.now = self.next_start(end);
@@ -249,11 +235,11 @@ impl Chip<'_> {
     fn next_start(&self, end: u32) -> u32 {
         let goes_on = self.seats.iter().any(|seat| seat.tm.goes_on_by(end));
         // A line whose time is known is announced before it arrives.
-        if goes_on || self.dram.has_news() || self.blocked.could_go_on(&self.dram) {
+        if goes_on || self.memory.has_news() {
             return end;
         }
         let next = self.seats.iter().map(|seat| seat.tm.next_time()).min().unwrap_or(end);
-        let next = next.min(self.dram.next_command());
+        let next = next.min(self.memory.next_command());
         if next == u32::MAX { end } else { next.max(end) }
     }
 
@@ -274,12 +260,10 @@ impl Chip<'_> {
     /// Notes counts if the counter has come to a mark.
     fn note(&mut self, now: u32) {
         while self.plan.marks.get(self.noted.len()).is_some_and(|mark| *mark <= self.next_item) {
-            let mut noted = Noted { cycles: now, dram: self.dram.counts(now), ..Noted::default() };
-            for seat in &self.seats {
-                noted.thread_cycles.merge(&seat.tm.shared.cycles);
-                noted.l1.merge(&seat.tm.shared.l1.counts);
-            }
-            self.l2s.iter().for_each(|l2| noted.l2.merge(&l2.counts));
+            let (l1, l2) = (self.memory.l1_counts(), self.memory.l2_counts());
+            let dram = self.memory.dram_counts(now);
+            let mut noted = Noted { cycles: now, l1, l2, dram, ..Noted::default() };
+            self.seats.iter().for_each(|seat| noted.thread_cycles.merge(&seat.tm.shared.cycles));
             self.noted.push(noted);
         }
     }
@@ -301,15 +285,8 @@ impl Chip<'_> {
             if item < cold {
                 continue;
             }
-            let number = item as usize % self.seats.len();
-            let seat = &mut self.seats[number];
-            let (l1, l2) = (&mut seat.tm.shared.l1, &mut self.l2s[seat.partition]);
-            loads(self.program, &words, |word| {
-                let line = word >> self.line_shift;
-                if !l1.warm(line) {
-                    l2.warm(line);
-                }
-            });
+            let port = (item as usize % self.seats.len()) as u16;
+            loads(self.program, &words, |word| self.memory.warm(port, word));
         }
     }
 
@@ -319,11 +296,10 @@ impl Chip<'_> {
         for seat in &mut self.seats {
             seat.tm.finish(cycles);
             counts.thread_cycles.merge(&seat.tm.shared.cycles);
-            counts.l1.merge(&seat.tm.shared.l1.counts);
             counts.runs.iter_mut().zip(&seat.runs).for_each(|(sum, times)| *sum += times);
         }
-        self.l2s.iter().for_each(|l2| counts.l2.merge(&l2.counts));
-        counts.dram = self.dram.counts(cycles);
+        (counts.l1, counts.l2) = (self.memory.l1_counts(), self.memory.l2_counts());
+        counts.dram = self.memory.dram_counts(cycles);
         counts
     }
 }

@@ -1,33 +1,26 @@
-//! The timing core: cycles of a chip of multiprocessors, second-level caches and memory.
+//! The timing core: cycles of a chip of multiprocessors, whose threads are clients of the [`memory`].
 //!
-//! Time advances in quanta of some cycles. At the start of a quantum, the chip announces the lines whose time of arrival is known.
-//! Then every multiprocessor runs through the quantum (`tm`, `thread`), and the chip serves their requests cycle by cycle
-//! (`chip::serve`). The threads that it has answered run through the rest of the quantum, and so on until nothing is asked. Quanta
-//! in which nothing can happen are skipped. The model in `tests/slow.rs` tells the same without tables and short cuts.
+//! Time advances in the memory's quanta. At the start of a quantum, the memory announces the lines whose time of arrival is known.
+//! Then every multiprocessor runs through the quantum (`tm`, `thread`) and asks its port, and the chip takes what the ports cannot
+//! answer to the counter and the memory, cycle by cycle (`chip::serve`). The threads that it has answered run through the rest of the
+//! quantum, and so on until nothing is asked. Quanta in which nothing can happen are skipped. The model in `tests/slow.rs` tells the
+//! same without tables and short cuts.
 
 mod ahead;
-mod banks;
-mod blocked;
 mod chip;
-mod dram;
-mod l1;
-mod l2;
-mod lines;
-mod outstanding;
 mod plan;
 mod prefetch;
-mod quantum;
 mod request;
 mod slots;
 mod stats;
-mod tags;
 mod thread;
 mod tm;
 mod work;
 
 pub use chip::{Counts, SimulationError, simulate, simulate_plan};
+pub use memory::{CacheCounts, DramCounts};
 pub use plan::{Noted, Plan, accesses};
-pub use stats::{CacheCounts, DramCounts, ThreadCycles};
+pub use stats::ThreadCycles;
 pub use work::{Tape, Work};
 
 #[cfg(test)]

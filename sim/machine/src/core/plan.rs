@@ -1,8 +1,9 @@
 //! Which items of the work are timed.
 
 use super::Counts;
-use super::stats::{CacheCounts, DramCounts, ThreadCycles};
+use super::stats::ThreadCycles;
 use crate::program::{Kind, Program};
+use memory::{CacheCounts, DramCounts};
 use std::ops::Range;
 
 /// Items that are not timed, and items before which counts are noted. By default everything is timed.

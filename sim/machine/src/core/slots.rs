@@ -1,6 +1,6 @@
 //! What is left of shared resources in each cycle of a quantum.
 
-use super::quantum::LONGEST;
+use memory::LONGEST_QUANTUM as LONGEST;
 
 /// How many of each resource there are still to take, by resource and slot of the quantum.
 #[derive(Clone, Debug)]

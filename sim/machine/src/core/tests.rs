@@ -1,7 +1,5 @@
 //! Programs so small that their cycles can be counted by hand.
 
-use super::l1::L1;
-use super::l2::L2;
 use super::*;
 use crate::description::MachineDescription;
 use crate::program::Program;
@@ -232,48 +230,4 @@ fn wide_loads_bring_adjacent_words_and_take_a_second_access_across_lines() {
     let apart = "LOAD $3, $9, 0\naddu $4, $4, $4\nLOAD $4, $9, 1";
     let counts = run_at(&["tm.threads=1", "tm.load_words=4"], 1, apart, |_| 64);
     assert_eq!(counts.l1.loads, 2);
-}
-
-#[test]
-fn a_larger_cache_never_misses_more_and_each_line_is_missed_once_at_least() {
-    // One thread, so that the order of accesses does not depend on the cache; replacement by least recent use in one set.
-    let misses = |lines: u32| {
-        let size = format!("l1.size={}", lines * 64);
-        let settings = ["tm.threads=1", &size, &format!("l1.associativity={lines}"), "l1.banks=1"];
-        let body = "LOAD $3, $4, 0\naddu $5, $3, $3";
-        let l1 = run_at(&settings, 4000, body, |item| 16 * (item * item % 61)).l1;
-        l1.loads - l1.hits
-    };
-    let distinct = (0..4000u32).map(|item| item * item % 61).collect::<std::collections::BTreeSet<_>>().len();
-    let by_size: Vec<u64> = [1, 2, 4, 8, 16, 32, 64, 128].map(misses).to_vec();
-    assert!(by_size.is_sorted_by(|small, large| small >= large), "{by_size:?}");
-    assert!(by_size[0] > by_size[4], "{by_size:?}");
-    assert_eq!(by_size[6..], [distinct as u64; 2], "what fits is fetched once");
-}
-
-#[test]
-fn a_bank_serves_one_access_a_cycle_and_refuses_one_that_comes_early() {
-    let machine = machine(&[]);
-    let latency = machine.l1.latency_cycles;
-    let mut l1 = L1::new(&machine);
-    l1.begin(0);
-    // A line that arrives in cycle 4 can be joined a cycle before, and is held from then on.
-    assert_eq!(l1.find(0, 0, 64), None);
-    l1.taken(0, 0, 64, 4);
-    assert!(l1.refuses(0, 64 + 8), "the same bank in the same cycle");
-    assert!(!l1.refuses(0, 64 + 7) && !l1.refuses(1, 64 + 8));
-    assert_eq!(l1.find(3, 3, 65), Some(4 + latency));
-    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 0));
-    assert_eq!(l1.find(4, 4, 65), Some(4 + latency));
-    assert_eq!((l1.counts.joined, l1.counts.hits), (1, 1));
-    assert_eq!(l1.counts.bank_conflicts, 1);
-
-    let mut l2 = L2::new(&machine.l2);
-    l2.begin(0);
-    assert!(!l2.refuses(0, 5));
-    l2.take(0, 5);
-    assert!(l2.refuses(0, 5 + machine.l2.banks), "the same bank in the same cycle");
-    assert!(!l2.refuses(0, 6) && !l2.refuses(1, 5));
-    l2.arrives(9, 6);
-    assert!(!l2.hit(5, 9) && l2.hit(6, 9), "a line is held from the cycle of its arrival on");
 }

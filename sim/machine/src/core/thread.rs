@@ -1,14 +1,15 @@
 //! A thread: where it is in its program, and how it issues its operations.
 
-use super::l1::{Access, L1};
-use super::outstanding::{UNKNOWN, Waiter};
 use super::prefetch::prefetch;
-use super::quantum::LONGEST;
-use super::request::Request;
+use super::request::{Request, What, access, waiter};
 use super::slots::Slots;
 use super::stats::ThreadCycles;
 use crate::program::{BOARD_ENTRIES, BoardEntry, Kind, MicroOp, Program};
+use memory::{LONGEST_QUANTUM as LONGEST, Near, Port};
 use std::hint::cold_path;
+
+/// When a register can be used whose line has no known time of arrival.
+pub const UNKNOWN: u32 = u32::MAX;
 
 /// Where a thread is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,10 +67,6 @@ pub struct Shared {
     pub fetches: Vec<Slots>,
     /// Units left by pool.
     pub units: Slots,
-    /// The data cache.
-    pub l1: L1,
-    /// 32-bit words of a line.
-    pub line_words: u32,
     /// What threads ask of the chip.
     pub asked: Vec<Request>,
     /// What threads did.
@@ -113,7 +110,7 @@ impl Thread {
     /// In each cycle the next operation is fetched, finds its operands, takes a unit and is executed. Where one of these is
     /// not to be had, the thread comes back to the operation in a later cycle.
     #[inline(always)]
-    pub fn run(&mut self, program: &Program, shared: &mut Shared) {
+    pub fn run(&mut self, program: &Program, port: &mut Port, shared: &mut Shared) {
         while self.state == State::Runs && self.time < shared.end {
             let slot = (self.time - shared.start) as usize % LONGEST;
             let op = &program.code.ops[self.pc as usize];
@@ -144,25 +141,26 @@ impl Thread {
                 Kind::Plain | Kind::Nop => self.time + u32::from(op.latency),
                 Kind::Load | Kind::Store => {
                     let address = self.address(op);
-                    match shared.l1.access(op.kind, self.time, slot, address) {
-                        Access::Served(ready) => ready,
-                        Access::Refused => {
+                    match port.ask(access(op.kind), self.time, slot, address) {
+                        Near::At(ready) => ready,
+                        Near::Later => UNKNOWN,
+                        Near::Refused => {
                             shared.cycles.memory += 1;
                             self.time += 1;
                             continue;
                         }
-                        Access::Ask => {
-                            self.ask(op.kind, address, shared);
+                        Near::Beyond => {
+                            self.ask(What::Words(access(op.kind), address), shared);
                             continue;
                         }
                     }
                 }
                 Kind::Counter => {
-                    self.ask(op.kind, 0, shared);
+                    self.ask(What::Item, shared);
                     continue;
                 }
             };
-            self.retire(program, ready, shared);
+            self.retire(program, ready, port, shared);
         }
     }
 
@@ -195,20 +193,20 @@ impl Thread {
     }
 
     /// Asks the chip to serve its operation.
-    fn ask(&mut self, kind: Kind, address: u32, shared: &mut Shared) {
+    fn ask(&mut self, what: What, shared: &mut Shared) {
         self.state = State::Asks;
-        shared.asked.push(Request { cycle: self.time, tm: shared.tm, thread: self.number, kind, address });
+        shared.asked.push(Request { cycle: self.time, tm: shared.tm, thread: self.number, what });
     }
 
     /// Its operation is issued in this cycle, and what it writes can be used from cycle `ready` on.
     #[inline(always)]
-    pub fn retire(&mut self, program: &Program, ready: u32, shared: &mut Shared) {
+    pub fn retire(&mut self, program: &Program, ready: u32, port: &mut Port, shared: &mut Shared) {
         let op = &program.code.ops[self.pc as usize];
         let now = self.time;
         self.time += 1;
         if op.operands == 0 && ready != UNKNOWN {
             self.set_ready(op.write, ready);
-        } else if !self.write(program, op, ready, shared) {
+        } else if !self.write(program, op, ready, port) {
             // The rest of what it loads is in the next line.
             shared.cycles.memory += 1;
             return;
@@ -228,7 +226,7 @@ impl Thread {
     /// What `op` writes can be used from cycle `ready` on, or when the line arrives that brings it. Returns false if a load has to
     /// bring more from the next line.
     #[inline(never)]
-    fn write(&mut self, program: &Program, op: &MicroOp, ready: u32, shared: &mut Shared) -> bool {
+    fn write(&mut self, program: &Program, op: &MicroOp, ready: u32, port: &mut Port) -> bool {
         let writes = match &program.operands_of(op).writes[..] {
             [] => std::slice::from_ref(&op.write),
             several => several,
@@ -236,11 +234,9 @@ impl Thread {
         let mut entries = &writes[usize::from(self.brought)..];
         if op.kind == Kind::Load {
             let address = self.address(op);
-            let to_the_end = (shared.line_words - address % shared.line_words) as usize;
-            entries = &entries[..entries.len().min(to_the_end)];
+            entries = &entries[..port.within_line(address, entries.len() as u32) as usize];
             if ready == UNKNOWN {
-                let waiters = entries.iter().map(|&entry| Waiter { thread: self.number, entry });
-                waiters.for_each(|waiter| shared.l1.wait(address, waiter));
+                entries.iter().for_each(|entry| port.wait(address, waiter(self.number, *entry)));
             }
         }
         entries.iter().for_each(|entry| self.set_ready(*entry, ready));

@@ -1,21 +1,20 @@
 //! A thread multiprocessor: its threads issue in order, at most one instruction a cycle each.
 //!
-//! Within a quantum (see [`super::quantum`]), threads run one after another, in ring order from the one that has waited
+//! Within a quantum, threads run one after another, in ring order from the one that has waited
 //! longest, and take fetches, units and cache banks from tables with an entry for each cycle. A thread is never affected
 //! by one behind it in this order, so the outcome is that of going cycle by cycle with the order fixed for the
 //! quantum, as the slow model in the tests does; but running on with one thread is several times as fast.
 //!
 //! A thread that asks the chip stands still until the chip has served it, then lives through the rest of the quantum.
 
-use super::l1::L1;
-use super::outstanding::Waiter;
-use super::request::Request;
+use super::request::{Request, waiting};
 use super::slots::{self, Slots};
 use super::stats::ThreadCycles;
 use super::thread::{Shared, State, Thread};
 use crate::description::MachineDescription;
 use crate::program::{COUNTER, PIPELINE, POOLS, Program, UNLIMITED};
 use costs::Unit;
+use memory::Port;
 
 /// A multiprocessor.
 #[derive(Clone, Debug)]
@@ -57,8 +56,6 @@ impl Tm {
                 end: 0,
                 fetches: vec![Slots::new(&fetches); icache.caches as usize],
                 units: Slots::new(&units),
-                l1: L1::new(machine),
-                line_words: machine.l1.line_words(),
                 asked: vec![],
                 cycles: ThreadCycles::default(),
             },
@@ -86,16 +83,14 @@ impl Tm {
         self.threads.iter().any(|thread| thread.state == State::Runs && thread.time <= end)
     }
 
-    /// It is known now that `line` arrives in cycle `arrival`.
-    pub fn arrives(&mut self, line: u32, arrival: u32) {
-        let (threads, Shared { l1, cycles, .. }) = (&mut self.threads, &mut self.shared);
-        l1.arrives(line, arrival, |Waiter { thread, entry }| {
-            threads[usize::from(thread)].arrives(entry, arrival, cycles);
-        });
+    /// What waits under `number` can be used from cycle `arrival` on.
+    pub fn arrives(&mut self, number: u16, arrival: u32) {
+        let (thread, entry) = waiting(number);
+        self.threads[usize::from(thread)].arrives(entry, arrival, &mut self.shared.cycles);
     }
 
     /// Runs all threads through the quantum from cycle `start` up to `end`.
-    pub fn quantum(&mut self, program: &Program, start: u32, end: u32) {
+    pub fn quantum(&mut self, program: &Program, port: &mut Port, start: u32, end: u32) {
         let running = self.threads.iter().enumerate().filter(|(_, thread)| thread.state != State::Halted);
         // Of several, the first.
         let Some((first, _)) = running.min_by_key(|(_, thread)| thread.last_issue) else {
@@ -104,7 +99,6 @@ impl Tm {
         (self.shared.start, self.shared.end) = (start, end);
         self.shared.fetches.iter_mut().for_each(|cache| cache.reset(&self.fetches));
         self.shared.units.reset(&self.units);
-        self.shared.l1.begin(start);
         for number in (first..self.threads.len()).chain(0..first) {
             if let Some(later) = self.threads.get(number + 2) {
                 later.prefetch();
@@ -112,34 +106,34 @@ impl Tm {
             if let Some(next) = self.threads.get(number + 1) {
                 next.prefetch_operations(program);
             }
-            self.run(program, number);
+            self.run(program, port, number);
         }
     }
 
     /// Lets the threads that the chip has answered live through the rest of the quantum.
-    pub fn catch_up(&mut self, program: &Program) {
+    pub fn catch_up(&mut self, program: &Program, port: &mut Port) {
         let mut answered = std::mem::take(&mut self.answered);
         for thread in answered.drain(..) {
-            self.run(program, thread.into());
+            self.run(program, port, thread.into());
         }
         self.answered = answered;
     }
 
     /// Runs a thread until the end of the quantum, or until it has to wait for the chip or for new work.
-    pub fn run(&mut self, program: &Program, number: usize) {
+    pub fn run(&mut self, program: &Program, port: &mut Port, number: usize) {
         let thread = &mut self.threads[number];
-        thread.run(program, &mut self.shared);
+        thread.run(program, port, &mut self.shared);
         if thread.state == State::Ended {
             self.ended.push(number as u8);
         }
     }
 
     /// The chip has served a request: the thread's result can be used from cycle `ready` on.
-    pub fn served(&mut self, program: &Program, request: Request, ready: u32) {
+    pub fn served(&mut self, program: &Program, port: &mut Port, request: Request, ready: u32) {
         let thread = &mut self.threads[usize::from(request.thread)];
         thread.state = State::Runs;
         thread.time = request.cycle;
-        thread.retire(program, ready, &mut self.shared);
+        thread.retire(program, ready, port, &mut self.shared);
         self.answered.push(request.thread);
         if thread.state == State::Ended {
             self.ended.push(request.thread);

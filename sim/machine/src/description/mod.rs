@@ -1,16 +1,14 @@
 //! The machine, described by a TOML file: what exists, how large it is and how long it takes.
 //!
 //! [`MachineDescription::load`] reads a preset or a file, applies `--set` and checks that the machine can be built. What
-//! the pipelines consist of is not described here: it is read from the hardware (see [`super::pipelines`]).
+//! the pipelines consist of is not described here: it is read from the hardware (see [`super::pipelines`]). The keys of caches and
+//! DRAM are those of [`memory::description`].
 
 pub(crate) mod check;
-mod dram;
 mod settings;
-mod size;
 
 pub use check::DescriptionError;
-pub use dram::{Dram, DramPower, DramTiming, Mapping};
-pub use size::Bytes;
+pub use memory::description::{BankBy, Bytes, Cache, Dram, DramPower, DramTiming, Mapping};
 
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -171,44 +169,6 @@ impl Units {
     }
 }
 
-/// A data cache. Stores go around it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Cache {
-    /// Whether lines stay in it; requests under way are joined all the same.
-    pub enabled: bool,
-    /// Capacity.
-    pub size: Bytes,
-    /// Length of a line.
-    pub line: Bytes,
-    /// Banks; a word is in bank `word address` modulo their number. Each takes one access a cycle.
-    pub banks: u32,
-    /// Lines of a set; the least recently used is replaced.
-    pub associativity: u32,
-    /// Cycles until a hit can be used.
-    pub latency_cycles: u32,
-    /// Area in mm2, where the published table has no cache of this size.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub area_mm2: Option<f64>,
-    /// Energy of an access in nJ, where the published table has no cache of this size.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub energy_nj: Option<f64>,
-}
-
-impl Cache {
-    /// 32-bit words of a line.
-    #[must_use]
-    pub fn line_words(&self) -> u32 {
-        (self.line.0 / 4) as u32
-    }
-
-    /// Lines that it holds.
-    #[must_use]
-    pub fn lines(&self) -> u32 {
-        (self.size.0 / self.line.0) as u32
-    }
-}
-
 impl MachineDescription {
     /// The machine `name_or_file`, a preset or a TOML file, changed by `settings` of the form `l1.size=64KiB`.
     ///
@@ -241,6 +201,18 @@ impl MachineDescription {
         toml::to_string(self).expect("every field has a TOML form")
     }
 
+    /// The memory, with a port for each multiprocessor.
+    #[must_use]
+    pub fn memory(&self) -> memory::description::Description {
+        memory::description::Description {
+            partitions: self.chip.l2_partitions,
+            ports_per_partition: self.chip.tms_per_partition,
+            l1: self.l1,
+            l2: self.l2,
+            dram: self.dram,
+        }
+    }
+
     /// Words that one load may bring.
     #[must_use]
     pub fn load_words(&self) -> u32 {
@@ -257,7 +229,12 @@ mod tests {
 
     fn error(settings: &[&str]) -> String {
         let settings: Vec<String> = settings.iter().map(|s| (*s).to_owned()).collect();
-        MachineDescription::load("trax", &settings).unwrap_err().to_string()
+        let error = MachineDescription::load("trax", &settings).unwrap_err();
+        assert!(
+            std::error::Error::source(&error).is_none(),
+            "a chain of messages would say it twice: {error}"
+        );
+        error.to_string()
     }
 
     #[test]
@@ -287,6 +264,7 @@ mod tests {
         for (setting, key) in [
             ("l1.banks=0", "l1.banks"),
             ("l1.banks=3", "l1.banks"),
+            ("l1.bank_by=row", "variant `row`, expected `word` or `line`"),
             ("l1.sizes=64KiB", "sizes"),
             ("l3.size=64KiB", "l3"),
             ("l1.size=48KiB", "l1.size"),

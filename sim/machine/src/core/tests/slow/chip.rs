@@ -1,10 +1,11 @@
 //! What the chip does with requests: the counter, the second-level caches and the memory.
 
 use super::l1::UnderWay;
+use super::lines::bank;
 use super::{Request, Resource, Slow, State, UNKNOWN};
 use crate::core::Work;
-use crate::core::dram::{Read, Requester};
 use crate::program::Kind;
+use memory::dram::{Read, Requester};
 
 enum Outcome {
     Served(u32),
@@ -87,8 +88,8 @@ impl<W: Work> Slow<'_, W> {
             return Outcome::Served(ready);
         }
         let partition = self.tms[number].partition;
-        let bank = Resource::L2(partition, address % self.machine.l2.banks);
-        if self.is_taken(bank, now) {
+        let l2_bank = Resource::L2(partition, bank(&self.machine.l2, address));
+        if self.is_taken(l2_bank, now) {
             self.counts.l2.bank_conflicts += 1;
             return Outcome::Refused;
         }
@@ -100,8 +101,8 @@ impl<W: Work> Slow<'_, W> {
             }
             self.counts.l2.stores += 1;
             self.tms[number].l1_counts.stores += 1;
-            self.take(bank, now, 1);
-            self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
+            self.take(l2_bank, now, 1);
+            self.take(Resource::L1(number, bank(&self.machine.l1, address)), now, 1);
             return Outcome::Served(now + 1);
         }
         self.events += 1;
@@ -110,7 +111,7 @@ impl<W: Work> Slow<'_, W> {
             self.counts.l2.hits += 1;
             now + latency
         } else {
-            match self.dram.read(now, line, Requester { tm: number as u16 }) {
+            match self.dram.read(now, line, Requester { port: number as u16 }) {
                 Read::Refused => return Outcome::Full(line),
                 Read::Queued => UNKNOWN,
                 Read::Arrives(cycle) => {
@@ -121,8 +122,8 @@ impl<W: Work> Slow<'_, W> {
         };
         self.counts.l2.loads += 1;
         self.tms[number].l1_counts.loads += 1;
-        self.take(bank, now, 1);
-        self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
+        self.take(l2_bank, now, 1);
+        self.take(Resource::L1(number, bank(&self.machine.l1, address)), now, 1);
         self.tms[number].under_way.insert(line, UnderWay { arrival, waiters: vec![] });
         if arrival == UNKNOWN {
             self.wait_for(&request, line);

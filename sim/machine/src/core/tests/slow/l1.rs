@@ -1,5 +1,6 @@
 //! The data cache of a multiprocessor, and the lines that are on their way to it.
 
+use super::lines::bank;
 use super::{Request, Resource, Slow, State, Tm, UNKNOWN};
 use crate::core::Work;
 use crate::program::{BoardEntry, Kind};
@@ -32,7 +33,7 @@ impl<W: Work> Slow<'_, W> {
 
     /// Whether the L1's bank is taken, which it counts.
     pub(super) fn l1_refuses(&mut self, request: &Request) -> bool {
-        let bank = request.address % self.machine.l1.banks;
+        let bank = bank(&self.machine.l1, request.address);
         let refuses = self.machine.l1.enabled && self.is_taken(Resource::L1(request.tm, bank), request.cycle);
         self.tms[request.tm].l1_counts.bank_conflicts += u64::from(refuses);
         refuses
@@ -62,7 +63,7 @@ impl<W: Work> Slow<'_, W> {
             }
         };
         self.tms[number].l1_counts.loads += 1;
-        self.take(Resource::L1(number, address % self.machine.l1.banks), now, 1);
+        self.take(Resource::L1(number, bank(&self.machine.l1, address)), now, 1);
         Some(ready)
     }
 

@@ -1,10 +1,18 @@
 //! The lines of a cache, with the time of the last use of each.
 
-use crate::description::Cache;
+use crate::description::{BankBy, Cache};
 use std::collections::HashMap;
 
 /// When something was used. The turn that it was used in counts first, then the thread's rank, then the order of events.
 pub type Use = (u32, usize, u64);
+
+/// The bank of a word.
+pub fn bank(cache: &Cache, address: u32) -> u32 {
+    match cache.bank_by {
+        BankBy::Word => address % cache.banks,
+        BankBy::Line => address / cache.line_words() % cache.banks,
+    }
+}
 
 /// A cache's lines.
 pub struct Lines {

@@ -8,14 +8,14 @@ mod chip;
 mod l1;
 mod lines;
 
-use crate::core::dram::Dram;
-use crate::core::stats::CacheCounts;
 use crate::core::{Counts, Tape, Work};
 use crate::description::MachineDescription;
 use crate::program::{BoardEntry, Kind, Program, UNLIMITED};
 use costs::Unit;
 use l1::UnderWay;
 use lines::Lines;
+use memory::CacheCounts;
+use memory::dram::Dram;
 use std::collections::HashMap;
 
 /// When a word can be used whose line has no known time of arrival.
@@ -172,14 +172,14 @@ impl<W: Work> Slow<'_, W> {
 
     /// One quantum from cycle `start` on; the cycle at which the next one begins.
     fn quantum(&mut self, start: u32) -> u32 {
-        let length = crate::core::quantum::cycles(self.machine);
+        let length = memory::quantum(&self.machine.dram);
         let end = start + length;
         self.turn += 1;
         self.dram.advance(start);
         let mut arrivals = vec![];
         self.dram.announce(start, |arrival| arrivals.push(arrival));
         for arrival in arrivals {
-            let tm = usize::from(arrival.requester.tm);
+            let tm = usize::from(arrival.requester.port);
             self.l2s[self.tms[tm].partition].arrivals.push((arrival.cycle, arrival.line));
             self.arrives(tm, arrival.line, arrival.cycle);
         }
@@ -281,7 +281,7 @@ impl<W: Work> Slow<'_, W> {
             if op.kind == Kind::Counter { 0 } else { self.tms[tm].threads[number].address(program) };
         let request = Request { cycle: now, tm, thread: number, kind: op.kind, address };
         if op.kind != Kind::Counter {
-            let bank = address % self.machine.l1.banks;
+            let bank = lines::bank(&self.machine.l1, address);
             if !self.is_taken(Resource::Asked(tm, bank), now) {
                 if self.l1_refuses(&request) {
                     self.counts.thread_cycles.memory += 1;

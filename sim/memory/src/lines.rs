@@ -1,7 +1,7 @@
 //! The lines of a cache, and those that are about to arrive.
 
-use super::tags::Tags;
 use crate::description::Cache;
+use crate::tags::Tags;
 
 /// Which lines a cache holds from which cycle on.
 #[derive(Clone, Debug)]
@@ -34,6 +34,7 @@ impl Lines {
     }
 
     /// It is known that `line` arrives in cycle `cycle`.
+    #[inline]
     pub fn arrives(&mut self, line: u32, cycle: u32) {
         let at = self.arrivals.partition_point(|(other, _)| *other <= cycle);
         self.arrivals.insert(at, (cycle, line));
@@ -60,6 +61,7 @@ impl Lines {
     }
 
     /// [`Lines::holds`] where some line has arrived since the quantum began.
+    #[inline]
     fn holds_or_has_got(&mut self, now: u32, line: u32) -> bool {
         let mut has_got = None;
         for &(cycle, other) in &self.arrivals {

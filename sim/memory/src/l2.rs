@@ -1,9 +1,9 @@
 //! The second-level cache of a partition.
 
-use super::banks::Banks;
-use super::lines::Lines;
-use super::stats::CacheCounts;
+use crate::banks::Banks;
 use crate::description::Cache;
+use crate::lines::Lines;
+use crate::stats::CacheCounts;
 
 /// A partition's cache.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub struct L2 {
 
 impl L2 {
     pub fn new(cache: &Cache) -> Self {
-        Self { lines: Lines::new(cache), busy: Banks::new(cache.banks), counts: CacheCounts::default() }
+        Self { lines: Lines::new(cache), busy: Banks::new(cache), counts: CacheCounts::default() }
     }
 
     /// Begins the quantum at cycle `start`: what has arrived by then is filled.
@@ -33,7 +33,7 @@ impl L2 {
 
     /// Whether the bank of word `address` is taken in slot `slot`, which refuses a request.
     pub fn refuses(&mut self, slot: usize, address: u32) -> bool {
-        if self.busy.is_taken(slot, address) {
+        if self.busy.is_taken(slot, self.busy.of(address)) {
             self.counts.bank_conflicts += 1;
             return true;
         }
@@ -42,7 +42,7 @@ impl L2 {
 
     /// Takes the bank of word `address` in slot `slot`, for an access that is served.
     pub fn take(&mut self, slot: usize, address: u32) {
-        self.busy.take(slot, address);
+        self.busy.take(slot, self.busy.of(address));
     }
 
     /// Puts `line` into the cache in no time.
@@ -53,5 +53,24 @@ impl L2 {
     /// Whether `line` is held in cycle `now`.
     pub fn hit(&mut self, now: u32, line: u32) -> bool {
         self.lines.holds(now, line)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::description::tests::cache;
+
+    #[test]
+    fn a_bank_serves_one_request_a_cycle_and_a_line_is_held_from_its_arrival_on() {
+        let cache = cache();
+        let mut l2 = L2::new(&cache);
+        l2.begin(0);
+        assert!(!l2.refuses(0, 5));
+        l2.take(0, 5);
+        assert!(l2.refuses(0, 5 + cache.banks), "the same bank in the same cycle");
+        assert!(!l2.refuses(0, 6) && !l2.refuses(1, 5));
+        l2.arrives(9, 6);
+        assert!(!l2.hit(5, 9) && l2.hit(6, 9));
     }
 }

@@ -1,18 +1,14 @@
 //! The memory against its own formulas.
 
 use super::*;
-use crate::description::MachineDescription;
+use crate::description::tests::dram as description;
 
-fn description() -> Description {
-    MachineDescription::load("simtrax-reference", &[]).unwrap().dram
-}
-
-const TM: Requester = Requester { tm: 0 };
+const PORT: Requester = Requester { port: 0 };
 
 /// The cycle in which a single read of `line` at cycle `now` arrives.
 fn arrival(dram: &mut Dram, now: u32, line: u32) -> u32 {
     dram.advance(now);
-    assert_eq!(dram.read(now, line, TM), Read::Queued);
+    assert_eq!(dram.read(now, line, PORT), Read::Queued);
     let mut found = None;
     for cycle in now..now + 1000 {
         dram.advance(cycle);
@@ -43,6 +39,30 @@ fn unloaded_latency_is_its_formula() {
 }
 
 #[test]
+fn each_mapping_spreads_lines_in_its_order() {
+    // Fields from the least significant bits on, each with two bits: the places of the lines that differ in one field only.
+    for (mapping, order) in [
+        (Mapping::ColumnChannelBankRow, ["column", "channel", "bank", "row"]),
+        (Mapping::ChannelColumnBankRow, ["channel", "column", "bank", "row"]),
+        (Mapping::ChannelBankColumnRow, ["channel", "bank", "column", "row"]),
+    ] {
+        let dram =
+            Dram::new(&Description { mapping, channels: 4, columns: 4, banks: 4, rows: 4, ..description() });
+        for (at, field) in order.into_iter().enumerate() {
+            for value in 0..4 {
+                let expected = match field {
+                    "channel" => (value as usize, 0, 0),
+                    "bank" => (0, value, 0),
+                    "row" => (0, 0, value),
+                    _ => (0, 0, 0),
+                };
+                assert_eq!(dram.place(value << (2 * at)), expected, "{mapping:?} {field}");
+            }
+        }
+    }
+}
+
+#[test]
 fn bandwidth_never_exceeds_its_peak() {
     let mut description = description();
     description.channels = 2;
@@ -51,7 +71,7 @@ fn bandwidth_never_exceeds_its_peak() {
         let (mut sent, mut received, cycles) = (0u32, 0u64, 20_000);
         for now in 0..cycles {
             dram.advance(now);
-            while sent < 1 << 20 && dram.read(now, sent.wrapping_mul(stride), TM) == Read::Queued {
+            while sent < 1 << 20 && dram.read(now, sent.wrapping_mul(stride), PORT) == Read::Queued {
                 sent += 1;
                 if sent % 8 == 0 {
                     break;
@@ -72,18 +92,18 @@ fn bandwidth_never_exceeds_its_peak() {
 #[test]
 fn reads_of_a_line_share_one_access() {
     let mut dram = Dram::new(&description());
-    assert_eq!(dram.read(0, 7, TM), Read::Queued);
-    assert_eq!(dram.read(0, 7, Requester { tm: 1 }), Read::Queued);
+    assert_eq!(dram.read(0, 7, PORT), Read::Queued);
+    assert_eq!(dram.read(0, 7, Requester { port: 1 }), Read::Queued);
     let mut arrivals = vec![];
     for cycle in 0..100 {
         dram.advance(cycle);
         dram.announce(cycle, |arrival| arrivals.push(arrival));
         // On its way, but not there yet.
         if !arrivals.is_empty() && cycle < arrivals[0].cycle {
-            assert_eq!(dram.read(cycle, 7, TM), Read::Arrives(arrivals[0].cycle));
+            assert_eq!(dram.read(cycle, 7, PORT), Read::Arrives(arrivals[0].cycle));
         }
     }
-    assert_eq!(arrivals.iter().map(|a| a.requester.tm).collect::<Vec<_>>(), [0, 1]);
+    assert_eq!(arrivals.iter().map(|a| a.requester.port).collect::<Vec<_>>(), [0, 1]);
     assert_eq!(arrivals[0].cycle, arrivals[1].cycle);
     assert_eq!(dram.counts(100).reads, 1);
 }
@@ -112,7 +132,7 @@ fn a_command_one_clock_early_is_not_issued() {
     let t = description.timing;
     let mut channel = Channel::new(&description);
     let read = |channel: &mut Channel, clock: u64, line, bank, row| {
-        assert!(matches!(channel.read(clock, line, bank, row, TM), Offer::Queued));
+        assert!(matches!(channel.read(clock, line, bank, row, PORT), Offer::Queued));
     };
     // Runs to `clock`, without anything being issued before it, and returns what is issued then.
     let only_at = |channel: &mut Channel, from: u64, clock: u64| {

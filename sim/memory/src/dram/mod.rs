@@ -1,20 +1,20 @@
-//! GDDR5: channels with queues, banks with row buffers, scheduled first-ready first-come first-served.
+//! The DRAM: channels with queues, banks with row buffers, scheduled first-ready first-come first-served.
 //!
 //! Times in here are DRAM clocks. The order in which completed reads are handed out depends on nothing but the order in
 //! which requests came in.
 
 mod channel;
 
-use super::stats::DramCounts;
+use crate::DramCounts;
 use crate::description::{Dram as Description, Mapping};
 use channel::{Channel, Offer};
 use std::collections::VecDeque;
 
-/// Who waits for a line: a partition's second-level cache, on behalf of a multiprocessor.
+/// Who waits for a line: a partition's second-level cache, on behalf of a port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Requester {
-    /// The multiprocessor.
-    pub tm: u16,
+    /// The port.
+    pub port: u16,
 }
 
 /// A line that has arrived.
@@ -39,7 +39,7 @@ pub enum Read {
     Arrives(u32),
 }
 
-/// The memory of a chip.
+/// All channels.
 #[derive(Clone, Debug)]
 pub struct Dram {
     description: Description,
@@ -59,6 +59,7 @@ pub struct Dram {
 
 impl Dram {
     /// An idle memory.
+    #[must_use]
     pub fn new(description: &Description) -> Self {
         let channels: Vec<Channel> = (0..description.channels).map(|_| Channel::new(description)).collect();
         let next: Vec<u64> = channels.iter().map(|channel| channel.next).collect();
@@ -84,27 +85,33 @@ impl Dram {
             rest >>= size.trailing_zeros();
             field
         };
-        let channel = match d.mapping {
+        let (channel, bank) = match d.mapping {
             Mapping::ColumnChannelBankRow => {
                 take(d.columns);
-                take(d.channels)
+                (take(d.channels), take(d.banks))
             }
             Mapping::ChannelColumnBankRow => {
                 let channel = take(d.channels);
                 take(d.columns);
-                channel
+                (channel, take(d.banks))
+            }
+            Mapping::ChannelBankColumnRow => {
+                let (channel, bank) = (take(d.channels), take(d.banks));
+                take(d.columns);
+                (channel, bank)
             }
         };
-        let bank = take(d.banks);
         (channel as usize, bank, rest & (d.rows - 1))
     }
 
     /// The channel of a line.
+    #[must_use]
     pub fn channel(&self, line: u32) -> usize {
         self.place(line).0
     }
 
     /// Reads that `channel` can still take.
+    #[must_use]
     pub fn room(&self, channel: usize) -> usize {
         self.channels[channel].room()
     }
@@ -192,17 +199,20 @@ impl Dram {
     }
 
     /// Whether lines have got a time of arrival that has not been announced.
+    #[must_use]
     pub fn has_news(&self) -> bool {
         self.announced < self.arrivals.len()
     }
 
     /// The first cycle in which a command may be due.
+    #[must_use]
     pub fn next_command(&self) -> u32 {
         let cycle = self.next_of_all / u64::from(self.description.clocks_per_cycle);
         u32::try_from(cycle).unwrap_or(u32::MAX)
     }
 
-    /// Cycles that a read takes at least.
+    /// Cycles that a read takes at least, in whole cycles.
+    #[must_use]
     pub fn least_latency(description: &Description) -> u32 {
         (description.timing.read_latency + description.timing.burst) / description.clocks_per_cycle
     }

@@ -3,8 +3,8 @@
 //! Nothing can happen to such a read before its channel has issued another one: its line is in no cache and not under way.
 //! So it tries again when there is room, and not in every cycle, which would take most of the simulation's time.
 
-use super::dram::Dram;
-use super::request::Request;
+use crate::dram::Dram;
+use crate::request::Request;
 
 /// Reads that wait for room, by channel, in the order in which they came.
 #[derive(Clone, Debug)]
@@ -41,15 +41,17 @@ impl Blocked {
         self.number > 0 && waits.any(|(channel, _)| dram.room(channel) > 0)
     }
 
-    /// Passes as many reads as there is room for to `wake`, those of the least `place` first, and with each those of the
+    /// Passes as many reads as there is room for to `wake`, those of the ports of least `place` first, and with each those of the
     /// same line, which need no room.
-    pub fn wake(&mut self, dram: &Dram, place: impl Fn(&Request) -> usize, mut wake: impl FnMut(Request)) {
+    pub fn wake(&mut self, dram: &Dram, place: impl Fn(u16) -> usize, mut wake: impl FnMut(Request)) {
         for (channel, reads) in self.channels.iter_mut().enumerate() {
             if reads.is_empty() {
                 continue;
             }
             for _ in 0..dram.room(channel) {
-                let Some(first) = reads.iter().min_by_key(|read| place(&read.request)) else { break };
+                let Some(first) = reads.iter().min_by_key(|read| place(read.request.client.port)) else {
+                    break;
+                };
                 let line = first.line;
                 let before = reads.len();
                 reads.retain(|read| {

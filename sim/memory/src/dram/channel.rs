@@ -1,7 +1,7 @@
 //! One channel: its queues, the state of its banks, and what it does next.
 
 use super::Requester;
-use crate::core::stats::DramCounts;
+use crate::DramCounts;
 use crate::description::{Dram as Description, DramTiming};
 
 /// What becomes of a read.

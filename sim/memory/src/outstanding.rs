@@ -1,18 +1,7 @@
 //! Lines on their way to a first-level cache, and who waits for them.
 
-use crate::program::BoardEntry;
-
 /// When a line arrives whose time is not known yet.
 pub const UNKNOWN: u32 = u32::MAX;
-
-/// A register of a thread that waits for a line.
-#[derive(Clone, Copy, Debug)]
-pub struct Waiter {
-    /// The thread.
-    pub thread: u8,
-    /// The register's entry on its scoreboard.
-    pub entry: BoardEntry,
-}
 
 #[derive(Clone, Copy, Debug)]
 struct Entry {
@@ -29,7 +18,8 @@ const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug, Default)]
 pub struct Outstanding {
     entries: Vec<Entry>,
-    waiters: Vec<(Waiter, u32)>,
+    /// Numbers of clients, each with the place of the next in its chain.
+    waiters: Vec<(u16, u32)>,
     free: Vec<u32>,
 }
 
@@ -47,8 +37,9 @@ impl Outstanding {
         self.entries.push(Entry { line, arrival, first: NONE });
     }
 
-    /// Makes `waiter` wait for `line`, whose arrival is not known yet.
-    pub fn wait(&mut self, line: u32, waiter: Waiter) {
+    /// Makes the client of number `waiter` wait for `line`, whose arrival is not known yet.
+    #[inline]
+    pub fn wait(&mut self, line: u32, waiter: u16) {
         let entry = self.entries.iter_mut().find(|entry| entry.line == line).expect("the line is under way");
         let slot = match self.free.pop() {
             Some(slot) => {
@@ -63,9 +54,9 @@ impl Outstanding {
         entry.first = slot;
     }
 
-    /// It is known now when `line` arrives. Calls `wake` for everyone who waits for it. Returns false if nobody has asked for it.
+    /// It is known now when `line` arrives. Calls `wake` with the number of everyone who waits for it. Returns false if nobody has asked for it.
     #[inline]
-    pub fn arrives(&mut self, line: u32, arrival: u32, mut wake: impl FnMut(Waiter)) -> bool {
+    pub fn arrives(&mut self, line: u32, arrival: u32, mut wake: impl FnMut(u16)) -> bool {
         let Some(entry) = self.entries.iter_mut().find(|entry| entry.line == line) else {
             return false;
         };

@@ -1,0 +1,85 @@
+//! A cache: how large it is, how its banks are chosen, how long it takes.
+
+use super::Bytes;
+use super::check::{MAX_LATENCY, OutOfRange, power_of_two, within};
+use serde::{Deserialize, Serialize};
+
+/// Most banks of a cache.
+pub const MAX_BANKS: u32 = 64;
+
+/// A data cache. Stores go around it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cache {
+    /// Whether lines stay in it; requests under way are joined all the same.
+    pub enabled: bool,
+    /// Capacity.
+    pub size: Bytes,
+    /// Length of a line.
+    pub line: Bytes,
+    /// Banks. Each takes one access a cycle.
+    pub banks: u32,
+    /// Which bank a word is in; by word where the key is missing.
+    #[serde(default)]
+    pub bank_by: BankBy,
+    /// Lines of a set; the least recently used is replaced.
+    pub associativity: u32,
+    /// Cycles until a hit can be used.
+    pub latency_cycles: u32,
+    /// Area in mm2, where the published table has no cache of this size.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area_mm2: Option<f64>,
+    /// Energy of an access in nJ, where the published table has no cache of this size.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy_nj: Option<f64>,
+}
+
+/// What selects a bank, modulo the number of banks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BankBy {
+    /// The address in words: adjacent words are in different banks.
+    #[default]
+    Word,
+    /// The number of the line: a line is in one bank.
+    Line,
+}
+
+impl Cache {
+    /// 32-bit words of a line.
+    #[must_use]
+    pub fn line_words(&self) -> u32 {
+        (self.line.0 / 4) as u32
+    }
+
+    /// Lines that it holds.
+    #[must_use]
+    pub fn lines(&self) -> u32 {
+        (self.size.0 / self.line.0) as u32
+    }
+
+    /// Whether it can be built. `section` names it in messages.
+    ///
+    /// # Errors
+    /// The first key that is out of range.
+    pub fn check(&self, section: &str) -> Result<(), OutOfRange> {
+        let key = |name: &str| format!("{section}.{name}");
+        let power = |name: &str, value: u64, least: u64, most: u64| {
+            if (least..=most).contains(&value) && value.is_power_of_two() {
+                return Ok(());
+            }
+            Err(OutOfRange::new(key(name), value, format!("a power of two of bytes from {least} to {most}")))
+        };
+        power("line", self.line.0, 16, 256)?;
+        power("size", self.size.0, self.line.0, 64 << 20)?;
+        power_of_two(&key("banks"), self.banks, MAX_BANKS)?;
+        power_of_two(&key("associativity"), self.associativity, self.lines())?;
+        within(&key("latency_cycles"), self.latency_cycles, 1, MAX_LATENCY)?;
+        for (name, value) in [("area_mm2", self.area_mm2), ("energy_nj", self.energy_nj)] {
+            if let Some(value) = value.filter(|value| !(value.is_finite() && *value >= 0.0)) {
+                return Err(OutOfRange::new(key(name), value, "finite, at least 0"));
+            }
+        }
+        Ok(())
+    }
+}
