@@ -39,9 +39,22 @@ enum {
         j = from_bits(magnitude | (bits(d) & SIGN));                                                         \
     }
 
+// With NO_ENTRY_T_MIN (examples/no-t-min.c), an entry does not keep where the ray enters it, and none is dropped when it is popped.
+#ifdef NO_ENTRY_T_MIN
+#define KEEP_T_MIN(t)
+#define KEPT_T_MIN 0.f
+#define IS_BEHIND(t) 0
+#else
+#define KEEP_T_MIN(t) stack[depth].t_min = t;
+#define KEPT_T_MIN stack[depth].t_min
+#define IS_BEHIND(t) (stack[depth].t_min > (t))
+#endif
+
 struct entry {
     int node;
+#if !defined(NO_ENTRY_T_MIN) || BVH > 2
     float t_min;
+#endif
 #if defined(DST) || defined(DST_SOFTWARE)
     float t_max;
 #endif

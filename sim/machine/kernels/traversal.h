@@ -33,7 +33,7 @@
         if (code == 1) continue;
         if (code == 2) {
             stack[depth].node = far;
-            stack[depth].t_min = far_t_min;
+            KEEP_T_MIN(far_t_min)
             stack[depth].t_max = far_t_max;
             depth++;
             continue;
@@ -92,7 +92,7 @@
             if (t_min <= near_exit) {
                 if (far_entry <= t_max) {
                     stack[depth].node = far;
-                    stack[depth].t_min = far_entry;
+                    KEEP_T_MIN(far_entry)
                     stack[depth].t_max = t_max;
                     depth++;
                 }
@@ -144,7 +144,7 @@
                     float entry = right;
                     if (right < left) near = r, far = l, entry = left;
                     stack[depth].node = far;
-                    stack[depth].t_min = entry;
+                    KEEP_T_MIN(entry)
                     depth++;
                     node = near;
                 } else
@@ -281,10 +281,10 @@
         do {
             if (depth == 0) goto traced;
             depth--;
-        } while (stack[depth].t_min > best);
+        } while (IS_BEHIND(best));
         node = stack[depth].node;
 #if defined(DST) || defined(DST_SOFTWARE)
-        t_min = stack[depth].t_min;
+        t_min = KEPT_T_MIN;
         t_max = minimum(stack[depth].t_max, best);
 #endif
     }

@@ -6,6 +6,7 @@
 //! | [`program`] | the programs of the threads: straight runs of instructions with their units, dependences and addresses |
 //! | [`execute`] | what the programs compute: registers, local store, global memory, the machine's own operations |
 //! | [`core`] | the timing of the runs that were executed |
+//! | [`kernels`] | the programs' sources and listings, for those who write their own |
 //! | [`mod@frame`] | the pixels of a frame as work for the threads |
 //! | [`pipelines`], [`costs`] | what a pipeline takes of a multiprocessor's units; area and energy of the rest |
 //! | [`results`] | counts, times, energies and areas, with units |
@@ -40,6 +41,7 @@ pub mod costs;
 pub mod description;
 pub mod execute;
 pub mod frame;
+pub mod kernels;
 pub mod pipelines;
 pub mod program;
 pub mod reference;

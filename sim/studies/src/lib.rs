@@ -41,6 +41,7 @@ pub mod explain;
 pub mod export;
 pub mod fidelity;
 pub mod input;
+pub mod kernel;
 pub mod needs;
 pub mod picture;
 pub mod progress;

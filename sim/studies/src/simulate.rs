@@ -1,8 +1,9 @@
 //! Simulations of frames, and of the reference runs, on the many-core machine.
 
 use crate::fidelity::auto::{Step, auto};
-use crate::fidelity::{Interval, Level, Sample, Subject};
+use crate::fidelity::{FidelityError, Interval, Level, Sample, Subject};
 use crate::input::{Built, SceneSource, check_writable};
+use crate::kernel::Program;
 use crate::progress::{Part, Progress};
 use anyhow::ensure;
 use base::output::write_file;
@@ -10,7 +11,7 @@ use estimate::Method;
 use golden::Mode;
 use golden::build::Quality;
 use machine::description::MachineDescription;
-use machine::frame::{FrameMachine, MachineStructure};
+use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals};
 use machine::reference::{ReferenceRuns, ValidatedRun};
 use machine::results::{Quantity, Results};
 use rayon::prelude::*;
@@ -49,6 +50,10 @@ pub struct Options {
     pub scene: SceneSource,
     /// The structure, with its program and its pipeline.
     pub structure: MachineStructure,
+    /// A program in the place of the structure's: a listing (`.s`) or a program in C (`.c`).
+    pub kernel: Option<PathBuf>,
+    /// Time such a program although its picture is not golden's.
+    pub allow_difference: bool,
     /// The test: primary and shadow rays, or paths.
     pub test: Test,
     /// How plane distances are rounded.
@@ -84,6 +89,9 @@ pub struct Simulation {
     pub scene: String,
     pub triangles: usize,
     pub structure: &'static str,
+    /// The program in the place of the structure's, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kernel: Option<KernelRow>,
     pub test: &'static str,
     pub mode: &'static str,
     pub machine: String,
@@ -102,6 +110,53 @@ pub struct Simulation {
     /// Seconds of the host. Only this and `simulated_rays_per_second` differ from run to run.
     pub seconds: f64,
     pub simulated_rays_per_second: f64,
+}
+
+/// A program of the user's, and what of its picture is not golden's.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct KernelRow {
+    pub file: String,
+    /// Of the listing.
+    pub sha256: String,
+    /// Of the pixels recorded: all of them, but for an analytic sample.
+    pub different_pixels: u64,
+    /// Row by row from the top.
+    pub first_difference: Option<DifferenceRow>,
+}
+
+/// A pixel that is not golden's.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct DifferenceRow {
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// The first channel that differs.
+    pub channel: &'static str,
+    /// What the program has written; none if it has written nothing.
+    pub found_bits: Option<String>,
+    pub golden_bits: String,
+    /// The same in words.
+    pub text: String,
+}
+
+impl KernelRow {
+    fn new(program: &Program, totals: &Totals) -> Self {
+        let hex = |bits: u32| format!("{bits:08x}");
+        let first_difference = totals.first_difference.map(|difference| DifferenceRow {
+            pixel: difference.pixel,
+            channel: difference.channel_name(),
+            found_bits: difference.found.map(hex),
+            golden_bits: hex(difference.golden),
+            text: difference.to_string(),
+        });
+        Self {
+            file: program.file.clone(),
+            sha256: program.sha256.clone(),
+            different_pixels: totals.different_pixels,
+            first_difference,
+        }
+    }
 }
 
 /// The level and the sample of the simulation, and the intervals that follow from them.
@@ -171,7 +226,19 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
         args.fidelity != Fidelity::Auto || args.sample.is_none(),
         "--sample does not go with --fidelity auto, which draws its own samples; name a level"
     );
-    let set_up = FrameMachine::new(machine, args.structure, estimate::by_name(args.pipeline_cost))?;
+    let mut set_up = FrameMachine::new(machine, args.structure, estimate::by_name(args.pipeline_cost))?;
+    let kernel =
+        args.kernel.as_deref().map(|path| Program::load(path, args.structure, args.allow_difference));
+    let kernel = kernel.transpose()?;
+    let explained = |error: FidelityError| match &kernel {
+        Some(kernel) => kernel.explained(error),
+        None => error.into(),
+    };
+    if let Some(kernel) = &kernel {
+        set_up = set_up.with_kernel(kernel.kernel.clone());
+        // A mistake in the listing shows before a large scene is loaded.
+        set_up.program().map_err(|error| explained(FrameError::from(error).into()))?;
+    }
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let (structure, _) = built.convert(args.structure.kind())?;
@@ -193,14 +260,16 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
                 ));
             }
             let tolerance = args.tolerance.unwrap_or(TOLERANCE);
-            let mut steps = auto(&subject, tolerance, args.scene.seed, |pixels| part.advance(pixels.into()))?;
+            let steps = auto(&subject, tolerance, args.scene.seed, |pixels| part.advance(pixels.into()));
+            let mut steps = steps.map_err(explained)?;
             let rows = steps.iter().map(StepRow::new).collect();
             (steps.pop().expect("there is a first step").estimate, rows)
         }
         Fidelity::Level(level) => {
             let batches = subject.batches(Sample::ALL.batch_fills);
             let sample = Sample::share(args.sample.unwrap_or(1.0), &batches, args.scene.seed);
-            (subject.estimate(level, &sample, |pixels| part.advance(pixels.into()))?, vec![])
+            let estimate = subject.estimate(level, &sample, |pixels| part.advance(pixels.into()));
+            (estimate.map_err(explained)?, vec![])
         }
     };
     let seconds = start.elapsed().as_secs_f64();
@@ -214,6 +283,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
         scene: scene.name.clone(),
         triangles: scene.mesh.triangles.len(),
         structure: args.structure.name(),
+        kernel: kernel.as_ref().map(|kernel| KernelRow::new(kernel, &totals)),
         test: args.test.name(),
         mode: args.mode.name(),
         machine: machine.name.clone(),

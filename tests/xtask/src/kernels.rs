@@ -11,16 +11,11 @@ const FOLDER: &str = "sim/machine/kernels";
 /// Options of the compiler: MIPS32 with all 32 single-precision registers, no fused multiply-add, no `errno`.
 const OPTIONS: &str = include_str!("../../../sim/machine/kernels/clang.options");
 /// Listings with their sources and what is defined for each.
-const LISTINGS: [(&str, &str, &[&str]); 8] = [
-    ("dst", "frame.c", &["DST"]),
-    ("dst-sw", "frame.c", &["DST_SOFTWARE"]),
-    ("bvh2", "frame.c", &["BVH=2"]),
-    ("bvh2-parallel", "frame.c", &["BVH=2", "PARALLEL"]),
-    ("bvh-wide", "frame.c", &["BVH=4"]),
-    ("bvh-wide-parallel", "frame.c", &["BVH=4", "PARALLEL"]),
-    ("reference", "reference.c", &[]),
-    ("reference-any", "reference.c", &["ANY"]),
-];
+const LISTINGS: &str = include_str!("../../../sim/machine/kernels/listings.txt");
+
+// What is kept of the compiler's output has one definition, and this crate does not link the machine.
+#[path = "../../../sim/machine/src/kernels/tidy.rs"]
+mod tidy;
 
 /// Reads what follows the command's name: whether listings are only compared.
 pub fn parse(mut arguments: lexopt::Parser) -> anyhow::Result<bool> {
@@ -37,7 +32,8 @@ pub fn parse(mut arguments: lexopt::Parser) -> anyhow::Result<bool> {
 /// Compiles all programs, and writes their listings or compares them with those that are there; whether none differs.
 pub fn run(check: bool) -> anyhow::Result<bool> {
     let mut good = true;
-    for (name, source, defined) in LISTINGS {
+    for line in LISTINGS.lines().filter(|line| !line.starts_with('#')) {
+        let [name, source, defined @ ..] = &line.split_whitespace().collect::<Vec<_>>()[..] else { continue };
         let file = root().join(FOLDER).join(format!("{name}.s"));
         let listing = compile(source, defined)?;
         if !check {
@@ -62,24 +58,6 @@ fn compile(source: &str, defined: &[&str]) -> anyhow::Result<String> {
         .output()
         .with_context(|| format!("{} does not start: install Debian's package clang-14", clang.display()))?;
     ensure!(output.status.success(), "{source}: {}", String::from_utf8_lossy(&output.stderr));
-    Ok(tidy(&String::from_utf8(output.stdout).context("the compiler's output is no text")?))
-}
-
-/// The compiler's output without comments and without the directives that say nothing of the program.
-fn tidy(text: &str) -> String {
-    let mut tidied = String::new();
-    for line in text.lines() {
-        let code = line.split('#').next().unwrap_or_default().trim();
-        let says_nothing =
-            code.starts_with('.') && !code.starts_with(".4byte") || code.starts_with("$func_end");
-        if code.is_empty() || says_nothing {
-            continue;
-        }
-        if !code.ends_with(':') {
-            tidied.push_str("    ");
-        }
-        tidied.push_str(&code.replace('\t', " "));
-        tidied.push('\n');
-    }
-    tidied
+    let text = String::from_utf8(output.stdout).context("the compiler's output is no text")?;
+    Ok(text.lines().filter_map(tidy::statement).collect())
 }

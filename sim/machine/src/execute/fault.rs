@@ -35,23 +35,53 @@ pub enum Mistake {
     RegisterLeft(Register),
     /// It asks for more random numbers than an item has.
     Random,
-    /// A lane that does not exist, or more than there are.
-    Lane(u32),
+    /// A lane that does not exist, and how many there are.
+    Lane(u32, u32),
+    /// It asks for the exact triangle test of numbers that are not finite.
+    NotFinite,
     /// So many instructions have been executed without asking for a new item.
     NoProgress(u64),
     /// It asks for another item after it has got the number of all items.
     AsksOn,
-    /// The picture is not golden's: channel, bits of the program's value (none if it has written none), bits of golden's.
-    Picture {
-        /// Column and row.
-        pixel: [u32; 2],
-        /// Red, green or blue.
-        channel: usize,
-        /// What the program has written.
-        found: Option<f32>,
-        /// What golden has computed.
-        golden: f32,
-    },
+    /// It ends without asking for an item.
+    NoItems,
+    /// It ends although there are more items.
+    EndsEarly,
+    /// It asks for items in more places than its first item and those behind it.
+    AsksElsewhere,
+    /// The picture is not golden's.
+    Picture(Difference),
+}
+
+/// A pixel that is not golden's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// The first channel that differs: red, green or blue.
+    pub channel: usize,
+    /// Bits of what the program has written; none if it has written nothing.
+    pub found: Option<u32>,
+    /// Bits of what golden has computed.
+    pub golden: u32,
+}
+
+impl Difference {
+    /// Name of the channel.
+    #[must_use]
+    pub fn channel_name(&self) -> &'static str {
+        ["red", "green", "blue"][self.channel]
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { pixel: [x, y], found, golden, .. } = *self;
+        let value = |bits| format!("{:?} (bits {bits:08x})", f32::from_bits(bits));
+        let found = found.map_or_else(|| "not written".to_owned(), value);
+        let channel = self.channel_name();
+        write!(f, "pixel {x},{y} is not golden's: {channel} is {found}, golden has {}", value(golden))
+    }
 }
 
 impl Fault {
@@ -101,21 +131,19 @@ impl fmt::Display for Mistake {
             Self::Random => {
                 write!(f, "it asks for more than the {} random numbers of an item", SAMPLE_DIMENSIONS - 2)
             }
-            Self::Lane(lane) => write!(f, "there is no lane {lane}; lanes are 1 to 8"),
+            Self::Lane(lane, lanes) => write!(f, "there is no lane {lane}; lanes are 1 to {lanes}"),
+            Self::NotFinite => f.write_str("EXACT needs finite numbers: origin, direction and the triangle's corners"),
             Self::NoProgress(count) => write!(
                 f,
                 "{count} instructions without asking for a new item: the loop does not end, or the frame is too large"
             ),
             Self::AsksOn => f.write_str("it asks for another item, although there are no more"),
-            Self::Picture { pixel: [x, y], channel, found, golden } => {
-                let channel = ["red", "green", "blue"][*channel];
-                write!(f, "pixel {x},{y} is not golden's: {channel} is ")?;
-                match found {
-                    Some(found) => write!(f, "{found:?} (bits {:08x})", found.to_bits())?,
-                    None => f.write_str("not written")?,
-                }
-                write!(f, ", golden has {golden:?} (bits {:08x})", golden.to_bits())
-            }
+            Self::NoItems => f.write_str("it ends without asking for an item"),
+            Self::EndsEarly => f.write_str("it ends although there are more items"),
+            Self::AsksElsewhere => f.write_str(
+                "it asks for an item here and in two other places; the first item may be asked for in one, all others in another",
+            ),
+            Self::Picture(difference) => difference.fmt(f),
         }
     }
 }

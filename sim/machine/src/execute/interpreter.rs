@@ -7,7 +7,8 @@ use super::set_up::{POISON, SetUp};
 use super::special::Special;
 use crate::core::Tape;
 use crate::program::{
-    CONDITION, Edge, EntryId, FIRST_FLOAT, NodeId, Opcode, Operation, Program, Register, SINK, Test,
+    CONDITION, Edge, EntryId, FIRST_FLOAT, MOST_LANES, NodeId, Opcode, Operation, Program, Register, SINK,
+    Test,
 };
 use golden::Aabb;
 use golden::bvh::BoxStep;
@@ -16,7 +17,7 @@ use golden::ray::PlaneRay;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Lanes of boxes, numbered from 1.
-pub const LANES: usize = 8;
+const LANES: usize = MOST_LANES as usize;
 
 /// Most instructions of an item.
 const MOST_INSTRUCTIONS: u64 = 1 << 27;
@@ -29,8 +30,8 @@ const FIRST_DIMENSION: u32 = 2;
 pub enum Stop {
     /// The operation with this index needs an item; the program goes on at an entry point.
     Counter(usize, EntryId),
-    /// The end of the program.
-    End,
+    /// The program ends behind the operation with this index.
+    End(usize),
 }
 
 /// The state of a thread.
@@ -174,7 +175,7 @@ impl Thread {
                 }
                 Edge::End(run) => {
                     tape.end(run);
-                    return Ok(Stop::End);
+                    return Ok(Stop::End(body.end));
                 }
             }
         }
@@ -423,6 +424,10 @@ impl Thread {
         }
         // A triangle lies in memory axis by axis.
         let corners = std::array::from_fn(|corner| std::array::from_fn(|axis| words[3 * axis + corner]));
+        let ray: [f32; 6] = self.floats(&list[5..]);
+        if !words.iter().chain(&ray).all(|number| number.is_finite()) {
+            return Err(Fault::new(program, at, self.item, Mistake::NotFinite));
+        }
         let hit = special.exact(self.floats(&list[5..]), self.floats(&list[8..]), &corners);
         self.exact_tests += 1;
         self.set(list[0], hit.is_some().into());
@@ -433,9 +438,11 @@ impl Thread {
 
     /// The index of lane `number`.
     fn lane<S>(&self, at: usize, number: u32, context: &Context<'_, S>) -> Result<usize, Box<Fault>> {
-        match number {
-            1..=8 => Ok(number as usize - 1),
-            _ => Err(Fault::new(context.around.program, at, self.item, Mistake::Lane(number))),
+        let program = context.around.program;
+        if (1..=program.lanes).contains(&number) {
+            Ok(number as usize - 1)
+        } else {
+            Err(Fault::new(program, at, self.item, Mistake::Lane(number, program.lanes)))
         }
     }
 

@@ -18,8 +18,7 @@ mod special;
 #[cfg(test)]
 mod tests;
 
-pub use fault::{Fault, Mistake};
-pub use interpreter::LANES;
+pub use fault::{Difference, Fault, Mistake};
 pub use local_store::{LOCAL_STORE_BYTES, Misplaced};
 pub use memory::{Denied, Memory};
 pub use special::Special;
@@ -33,6 +32,9 @@ use std::sync::{Arc, Mutex};
 
 /// Items that are executed beforehand to find what items leave; one in eight of them is asked whether it reads that.
 const PROBES: u32 = 64;
+
+/// Places at which a program may ask for items: for the first, and for all others.
+const MOST_PLACES: usize = 2;
 
 /// Executes the items of a program.
 pub struct Executor<S> {
@@ -98,11 +100,18 @@ impl<S: Special> Executor<S> {
         loop {
             let mut tape = Tape::new(&mut words, &mut counts);
             let stop = thread.run(executor.around(&executor.special), entry, &set_up, &mut tape);
-            let Stop::Counter(at, next) = stop.map_err(|fault| executor.explained(fault, entry))? else {
-                break;
+            let (at, next) = match stop.map_err(|fault| executor.explained(fault, entry))? {
+                Stop::Counter(at, next) => (at, next),
+                Stop::End(at) if executor.entries.is_empty() => {
+                    return Err(Fault::new(&program, at, 0, Mistake::NoItems));
+                }
+                Stop::End(_) => break,
             };
             if executor.set_ups[usize::from(next)].is_some() || items == 0 {
                 break;
+            }
+            if executor.entries.len() == MOST_PLACES {
+                return Err(Fault::new(&program, at, 0, Mistake::AsksElsewhere));
             }
             set_up = set_up.after(&thread, program.operations[at].d);
             executor.set_ups[usize::from(next)] = Some(set_up.clone());
@@ -216,11 +225,19 @@ impl<S: Special> Executor<S> {
         let mut thread = idle.unwrap_or_else(|| Thread::new(&self.program));
         let stop = self.run(&mut thread, special, item, (entry, self.set_up(entry)), tape);
         let stop = stop.map_err(|fault| self.explained(fault, entry))?;
-        if let Stop::Counter(at, next) = stop {
-            if item >= self.items {
-                return Err(Fault::new(&self.program, at, item, Mistake::AsksOn));
+        let mistake = match stop {
+            Stop::Counter(at, _) if item >= self.items => Some((at, Mistake::AsksOn)),
+            Stop::Counter(at, next) if self.set_ups[usize::from(next)].is_none() => {
+                Some((at, Mistake::AsksElsewhere))
             }
-            self.compare(&thread, item, entry, next);
+            Stop::Counter(_, next) => {
+                self.compare(&thread, item, entry, next);
+                None
+            }
+            Stop::End(at) => (item < self.items).then_some((at, Mistake::EndsEarly)),
+        };
+        if let Some((at, mistake)) = mistake {
+            return Err(self.explained(Fault::new(&self.program, at, item, mistake), entry));
         }
         let exact_tests = thread.exact_tests;
         self.idle.lock().expect("no panic while it was held").push(thread);

@@ -1,7 +1,8 @@
 //! Frames: pictures as work for the machine.
 //!
-//! Each item of the shared counter is a pixel. The structure's program computes it ([`crate::execute`]) from the memory that holds
-//! the scene; golden renders the same pixel, and a picture that differs in a bit is an error.
+//! Each item of the shared counter is a pixel. The structure's program or a [`Kernel`] in its place computes it
+//! ([`crate::execute`]) from the memory that holds the scene; golden renders the same pixel. A picture that differs in a bit is an
+//! error, except of a kernel that may differ.
 
 mod checker;
 mod layout;
@@ -9,15 +10,17 @@ mod operations;
 mod structure;
 #[cfg(test)]
 mod tests;
+mod totals;
 
 pub use checker::Checker;
 pub use layout::Layout;
 pub use operations::Operations;
-pub use structure::{FrameMachine, MachineStructure};
+pub use structure::{FrameMachine, Kernel, MachineStructure};
+pub use totals::Totals;
 
 use super::core::{Counts, SimulationError, Tape, Work, simulate};
 use super::description::DescriptionError;
-use super::execute::{Executor, Fault, Mistake, Special};
+use super::execute::{Difference, Executor, Fault, Mistake, Special};
 use super::program::{EntryId, ListingError, Opcode, Program};
 use golden::precision::{NarrowDst, Variant};
 use golden::structure::{Structure, StructureFormat};
@@ -57,6 +60,8 @@ pub struct Frame {
     pub exact_tests: u64,
     /// All triangle tests.
     pub triangle_tests: u64,
+    /// Pixels that are not golden's, of a kernel that may differ.
+    pub different_pixels: u64,
 }
 
 /// What a frame traces through.
@@ -78,6 +83,8 @@ pub struct FrameWork<'a, S = Operations<'a>> {
     /// What golden renders with.
     renderer: PixelRenderer<'a>,
     traced: Traced<'a>,
+    /// Whether the picture may differ from golden's.
+    may_differ: bool,
     width: u32,
     layout: Layout,
     done: Mutex<Done>,
@@ -87,21 +94,6 @@ pub struct FrameWork<'a, S = Operations<'a>> {
 struct Done {
     pixels: Vec<Option<Pixel>>,
     totals: Totals,
-}
-
-/// Totals of pixels.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Totals {
-    /// Rays traced.
-    pub rays: u64,
-    /// Triangle tests that single precision did not decide.
-    pub exact_tests: u64,
-    /// All triangle tests.
-    pub triangle_tests: u64,
-    /// Steps and box tests that the pipeline's netlist executed.
-    pub rtl_operations: u64,
-    /// Those whose results are not golden's, bit for bit.
-    pub rtl_differences: u64,
 }
 
 impl<'a> FrameWork<'a> {
@@ -194,6 +186,7 @@ impl<'a, S: Special> FrameWork<'a, S> {
             program,
             renderer,
             traced,
+            may_differ: machine.kernel.as_ref().is_some_and(|kernel| kernel.may_differ),
             width: options.width,
             layout,
             done: Mutex::new(Done { pixels: vec![None; pixels as usize], totals: Totals::default() }),
@@ -241,22 +234,41 @@ impl<'a, S: Special> FrameWork<'a, S> {
         }
     }
 
-    /// Compares what item `item` has written with `golden`.
-    fn compare(&self, item: u32, pixel: [u32; 2], golden: &Pixel) -> Result<(), Box<Fault>> {
+    /// What item `item` has written, channel by channel.
+    fn written(&self, item: u32) -> [Option<u32>; 3] {
         let first = self.layout.pixels_at + item * Layout::PIXEL_WORDS;
-        for (channel, golden) in golden.rgb.into_iter().enumerate() {
-            let found = self.executor.memory().written(first + channel as u32);
-            if found != Some(golden.to_bits()) {
-                let store = self.program.operations.iter().position(|op| op.opcode == Opcode::Store);
-                return Err(Box::new(Fault {
-                    program: self.program.name.clone(),
-                    line: store.map_or(1, |at| self.program.lines[at]),
-                    item,
-                    mistake: Mistake::Picture { pixel, channel, found: found.map(f32::from_bits), golden },
-                }));
-            }
+        std::array::from_fn(|channel| self.executor.memory().written(first + channel as u32))
+    }
+
+    /// How what item `item` has written differs from `golden`, if it does.
+    ///
+    /// # Errors
+    /// If it does and may not, or because the item depends on others.
+    fn compare(
+        &self,
+        item: u32,
+        entry: EntryId,
+        pixel: [u32; 2],
+        golden: &Pixel,
+    ) -> Result<Option<Difference>, Box<Fault>> {
+        let (found, golden) = (self.written(item), golden.rgb.map(f32::to_bits));
+        let Some(channel) = (0..3).find(|channel| found[*channel] != Some(golden[*channel])) else {
+            return Ok(None);
+        };
+        if let Some(fault) = self.executor.blame(item, entry) {
+            return Err(fault);
         }
-        Ok(())
+        let difference = Difference { pixel, channel, found: found[channel], golden: golden[channel] };
+        if self.may_differ {
+            return Ok(Some(difference));
+        }
+        let store = self.program.operations.iter().position(|op| op.opcode == Opcode::Store);
+        Err(Box::new(Fault {
+            program: self.program.name.clone(),
+            line: store.map_or(1, |at| self.program.lines[at]),
+            item,
+            mistake: Mistake::Picture(difference),
+        }))
     }
 }
 
@@ -282,12 +294,19 @@ impl<S: Special> Work for FrameWork<'_, S> {
             return Ok(());
         }
         let place = [item % self.width, item / self.width];
-        let (pixel, rays, equal) = self.golden(place);
-        if equal {
-            let compared = self.compare(item, place, &pixel);
-            compared.map_err(|fault| self.executor.blame(item, entry).unwrap_or(fault))?;
+        let (mut pixel, rays, equal) = self.golden(place);
+        let difference = if equal { self.compare(item, entry, place, &pixel)? } else { None };
+        if difference.is_some() {
+            pixel.rgb = self.written(item).map(|word| f32::from_bits(word.unwrap_or(0)));
         }
         let mut done = self.done.lock().expect("no panic while it was held");
+        // An item that was executed ahead from another entry point is recorded again.
+        if done.pixels[item as usize].is_some() {
+            return Ok(());
+        }
+        if let Some(difference) = difference {
+            done.totals.differs(difference);
+        }
         done.totals.rays += rays;
         done.totals.exact_tests += exact_tests;
         done.totals.triangle_tests += u64::from(pixel.work.triangle_tests);
@@ -347,7 +366,8 @@ fn traced_frame(
     let work = FrameWork::traced(machine, scene, traced, options, None)?;
     let counts = simulate(&machine.description, &work.program, &work, pixels_done)?;
     let program = Arc::clone(&work.program);
-    let (pixels, Totals { rays, exact_tests, triangle_tests, .. }) = work.finish()?;
+    let (pixels, totals) = work.finish()?;
+    let Totals { rays, exact_tests, triangle_tests, different_pixels, .. } = totals;
     let pixels = pixels.into_iter().map(|pixel| pixel.expect("every item was taken")).collect();
-    Ok(Frame { counts, program, rays, pixels, exact_tests, triangle_tests })
+    Ok(Frame { counts, program, rays, pixels, exact_tests, triangle_tests, different_pixels })
 }

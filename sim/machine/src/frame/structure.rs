@@ -1,8 +1,9 @@
-//! The eight structures: what each is traced through, its program, its pipeline.
+//! The eight structures: what each is traced through, its program, its pipeline; and programs in their place.
 
 use crate::description::{DescriptionError, MachineDescription};
+use crate::kernels;
 use crate::pipelines::{add_units_beyond, take_units};
-use crate::program::{ListingError, Program};
+use crate::program::{ListingError, Opcode, Program};
 use costs::Pipeline;
 use golden::structure::StructureKind;
 use std::fmt;
@@ -87,17 +88,54 @@ impl MachineStructure {
         matches!(self, Self::Bvh2Plus | Self::Bvh4Plus | Self::Bvh8Plus)
     }
 
+    /// Boxes that its pipeline tests at once.
+    fn boxes(self) -> u32 {
+        match self {
+            Self::Dst | Self::DstSoftware => 0,
+            Self::Bvh2 | Self::Bvh4 | Self::Bvh8 => 1,
+            Self::Bvh2Plus => 2,
+            Self::Bvh4Plus => 4,
+            Self::Bvh8Plus => 8,
+        }
+    }
+
+    /// Whether its pipeline, if the operation needs one, can do it.
+    fn executes(self, opcode: Opcode) -> bool {
+        match opcode {
+            Opcode::DualSplitStep => self == Self::Dst,
+            Opcode::BoxTest => self.boxes() >= 1,
+            Opcode::BoxTestPair | Opcode::BoxTestLanes | Opcode::LoadLane | Opcode::LaneEntry => {
+                self.boxes() >= 2
+            }
+            _ => true,
+        }
+    }
+
+    /// Name of its listing in [`kernels::FILES`], without the extension.
+    fn listing_name(self) -> &'static str {
+        match self {
+            Self::Dst => "dst",
+            Self::DstSoftware => "dst-sw",
+            Self::Bvh2 => "bvh2",
+            Self::Bvh2Plus => "bvh2-parallel",
+            Self::Bvh4 | Self::Bvh8 => "bvh-wide",
+            Self::Bvh4Plus | Self::Bvh8Plus => "bvh-wide-parallel",
+        }
+    }
+
     /// Its program as compiled.
+    ///
+    /// # Panics
+    /// If the file is not in the list, which a test excludes.
     #[must_use]
     pub fn listing(self) -> &'static str {
-        match self {
-            Self::Dst => include_str!("../../kernels/dst.s"),
-            Self::DstSoftware => include_str!("../../kernels/dst-sw.s"),
-            Self::Bvh2 => include_str!("../../kernels/bvh2.s"),
-            Self::Bvh2Plus => include_str!("../../kernels/bvh2-parallel.s"),
-            Self::Bvh4 | Self::Bvh8 => include_str!("../../kernels/bvh-wide.s"),
-            Self::Bvh4Plus | Self::Bvh8Plus => include_str!("../../kernels/bvh-wide-parallel.s"),
-        }
+        kernels::file(&format!("{}.s", self.listing_name())).expect("every structure has a listing")
+    }
+
+    /// What is defined where its program is compiled.
+    #[must_use]
+    pub fn defines(self) -> Vec<&'static str> {
+        kernels::defines(self.listing_name())
     }
 }
 
@@ -105,6 +143,17 @@ impl fmt::Display for MachineStructure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
+}
+
+/// A program in the place of a structure's own.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kernel {
+    /// What errors call it.
+    pub name: String,
+    /// Its listing.
+    pub listing: String,
+    /// Whether its picture may differ from golden's: differences are then counted in [`super::Totals`].
+    pub may_differ: bool,
 }
 
 /// A machine, set up for a structure.
@@ -116,6 +165,8 @@ pub struct FrameMachine {
     pub description: MachineDescription,
     /// The pipeline.
     pub pipeline: Option<Pipeline>,
+    /// The program, if it is not the structure's own.
+    pub kernel: Option<Kernel>,
 }
 
 impl FrameMachine {
@@ -137,15 +188,34 @@ impl FrameMachine {
             }
             take_units(own, &mut description)?;
         }
-        Ok(Self { structure, description, pipeline: own })
+        Ok(Self { structure, description, pipeline: own, kernel: None })
     }
 
-    /// The structure's program for this machine.
+    /// The same machine with `kernel` in the place of the structure's program.
+    #[must_use]
+    pub fn with_kernel(self, kernel: Kernel) -> Self {
+        Self { kernel: Some(kernel), ..self }
+    }
+
+    /// The program for this machine.
     ///
     /// # Errors
-    /// If there is a mistake in its listing.
+    /// If there is a mistake in its listing, or it needs another pipeline.
     pub fn program(&self) -> Result<Program, ListingError> {
         let latency = self.pipeline.as_ref().map_or(1, |pipeline| pipeline.latency_cycles);
-        Program::new(self.structure.name(), self.structure.listing(), &self.description, latency)
+        let (name, listing) = match &self.kernel {
+            Some(kernel) => (kernel.name.as_str(), kernel.listing.as_str()),
+            None => (self.structure.name(), self.structure.listing()),
+        };
+        let program = Program::new(name, listing, &self.description, latency)?;
+        let unknown = program.operations.iter().position(|op| !self.structure.executes(op.opcode));
+        if let Some(at) = unknown {
+            return Err(ListingError {
+                program: program.name,
+                line: program.lines[at] as usize,
+                message: format!("the pipeline of `{}` has no such operation", self.structure),
+            });
+        }
+        Ok(Program { lanes: self.structure.boxes(), ..program })
     }
 }

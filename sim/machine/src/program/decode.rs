@@ -219,7 +219,12 @@ fn decode_plain(mnemonic: &str, operands: &[&str], context: &mut Context<'_>) ->
         "BOXTEST2" => listed(O::BoxTestPair, 25, operands, context),
         "BOXTESTS" => listed(O::BoxTestLanes, 12, operands, context),
         "EXACT" => listed(O::ExactTest, 11, operands, context),
-        _ => Err("no such instruction".to_owned()),
+        "jal" | "jalr" | "bal" => {
+            Err("there are no calls; make every function INLINE, and copy by hand what \
+                                       the compiler would call memcpy or memset for"
+                .to_owned())
+        }
+        _ => Err("the machine has no such instruction".to_owned()),
     }
 }
 

@@ -16,6 +16,8 @@ use std::ops::Range;
 const MOST_PATHS: u64 = 16;
 /// Most entry points of a program.
 const MOST_ENTRIES: usize = EntryId::MAX as usize;
+/// Most instructions of all paths together, a multiple of what the largest program of this crate has.
+const MOST_ON_PATHS: u64 = 1 << 16;
 
 /// Index of a node.
 pub type NodeId = u32;
@@ -83,10 +85,11 @@ impl Graph {
     /// The paths through `listing`; entry 0 is the start.
     ///
     /// # Errors
-    /// If there are too many entry points.
+    /// If there are too many entry points, or paths between them.
     pub fn new(program: &str, listing: &Listing) -> Result<Self, ListingError> {
         let mut builder = Builder { program, listing, points: entry_points(listing), graph: Self::default() };
         builder.limit_paths()?;
+        builder.limit_instructions()?;
         for number in 0..builder.points.len() {
             let mut route = vec![];
             let node = builder.node(number as EntryId, builder.points[number], &mut route);
@@ -130,7 +133,7 @@ impl Builder<'_> {
         loop {
             if self.points.len() > MOST_ENTRIES {
                 let message = format!("more than {MOST_ENTRIES} loops and joining branches");
-                return Err(ListingError { program: self.program.to_owned(), line: 0, message });
+                return Err(self.error(self.points[MOST_ENTRIES], message));
             }
             let onward = self.onward();
             let worst = self.points.iter().copied().max_by_key(|at| self.paths(*at, &onward));
@@ -148,6 +151,41 @@ impl Builder<'_> {
                 _ => return Ok(()),
             }
         }
+    }
+
+    fn error(&self, at: usize, message: String) -> ListingError {
+        let line = self.listing.instructions[at].line as usize;
+        ListingError { program: self.program.to_owned(), line, message }
+    }
+
+    /// Whether all paths can be kept.
+    fn limit_instructions(&self) -> Result<(), ListingError> {
+        let onward = self.onward();
+        // By instruction, those of all paths from it on.
+        let mut lengths = vec![0u64; onward.len()];
+        for at in (0..onward.len()).rev() {
+            let behind = self.ways(at).map(|way| match way {
+                Way::To(to) if to > at => lengths.get(to).copied().unwrap_or(0),
+                _ => 0,
+            });
+            // A branch takes its delay slot along.
+            let is_branch =
+                matches!(self.listing.instructions[at].control, Control::Branch(..) | Control::End);
+            let own = onward[at].saturating_mul(if is_branch { 2 } else { 1 });
+            lengths[at] =
+                behind[0].saturating_add(if self.forks(at) { behind[1] } else { 0 }).saturating_add(own);
+        }
+        let mut sum = 0u64;
+        for &at in &self.points {
+            sum = sum.saturating_add(lengths[at]);
+            if sum > MOST_ON_PATHS {
+                let message = format!(
+                    "more than {MOST_ON_PATHS} instructions on all paths between loops and joining branches"
+                );
+                return Err(self.error(at, message));
+            }
+        }
+        Ok(())
     }
 
     /// Where control goes from instruction `at`.

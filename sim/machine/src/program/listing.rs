@@ -1,12 +1,15 @@
 //! Reads a listing: an assembler file as the compiler writes it.
 //!
 //! Of the directives, `.4byte` and `.word` give the value of a constant behind its label; all others are skipped, as are comments
-//! from `#` to the end of the line. The program begins at `main`.
+//! from `#` to the end of the line. The program begins at `main`, and has at most [`MOST_INSTRUCTIONS`].
 
 use super::decode::{Context, Decoded, Test, decode};
 use super::operation::{Opcode, Operation};
 use super::registers::Register;
 use std::collections::HashMap;
+
+/// Most instructions of a listing, several times those of the longest that comes with this crate.
+pub const MOST_INSTRUCTIONS: usize = 1 << 13;
 
 /// Why a listing cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -83,6 +86,9 @@ impl Listing {
             if code.starts_with('.') {
                 continue;
             }
+            if at == MOST_INSTRUCTIONS {
+                return Err(fail(line, format!("more than {MOST_INSTRUCTIONS} instructions")));
+            }
             let (mnemonic, operands) = code.split_once(char::is_whitespace).unwrap_or((code, ""));
             let operands: Vec<&str> = operands.split(',').map(str::trim).filter(|o| !o.is_empty()).collect();
             let decoded = decode(mnemonic, &operands, &mut context).map_err(|message| {
@@ -116,11 +122,15 @@ impl Listing {
         if listing.start >= count {
             return Err(fail(1, "there are no instructions behind `main:`".to_owned()));
         }
+        let leaders = listing.leaders();
         for (at, instruction) in listing.instructions.iter().enumerate() {
             let line = instruction.line as usize;
             let next = listing.instructions.get(at + 1);
             match instruction.control {
-                Control::Next | Control::Counter if next.is_none() && !listing.is_slot(at) => {
+                // The last delay slot is no place to come to by a jump.
+                Control::Next | Control::Counter
+                    if next.is_none() && (!listing.is_slot(at) || leaders[at]) =>
+                {
                     return Err(fail(line, "the program goes on behind its last instruction".to_owned()));
                 }
                 Control::Branch(..) | Control::End

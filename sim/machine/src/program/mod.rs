@@ -16,7 +16,7 @@ mod scoreboard;
 pub use code::Code;
 pub use decode::Test;
 pub use graph::{Branch, Edge, Graph, Node, NodeId};
-pub use listing::{Listing, ListingError};
+pub use listing::{Listing, ListingError, MOST_INSTRUCTIONS};
 pub use operation::{Opcode, Operation, Place};
 pub use registers::{
     CONDITION, FIRST_FLOAT, LANE_WORDS, REGISTERS, Register, SINK, STACK_POINTER, ZERO, name as register_name,
@@ -32,6 +32,9 @@ pub type EntryId = u8;
 
 /// The entry point at which every thread starts.
 pub const START: EntryId = 0;
+
+/// Lanes of boxes of the widest pipeline.
+pub const MOST_LANES: u32 = 8;
 
 /// A program, prepared for a machine.
 #[derive(Clone, Debug)]
@@ -50,6 +53,8 @@ pub struct Program {
     pub lines: Vec<u32>,
     /// Registers that are read from each entry point on before they are written.
     pub read_first: Vec<Vec<Register>>,
+    /// Lanes of boxes that the pipeline has, at most [`MOST_LANES`].
+    pub lanes: u32,
 }
 
 impl Program {
@@ -99,6 +104,7 @@ impl Program {
             lines: listing.instructions.iter().map(|instruction| instruction.line).collect(),
             lists: listing.lists,
             read_first,
+            lanes: MOST_LANES,
             graph,
         })
     }

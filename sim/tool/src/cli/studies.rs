@@ -135,7 +135,7 @@ pub struct NeedsArgs {
 }
 
 #[derive(Args, Debug)]
-#[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config"])))]
+#[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config", "dump_kernels"])))]
 pub struct SimulateArgs {
     /// A built-in scene (see `dualsplit scenes`), a file (OBJ, PLY, STL or glTF, which xz or gzip may compress), or - for
     /// standard input.
@@ -145,6 +145,13 @@ pub struct SimulateArgs {
     /// The structure, with its program and its pipeline: dst-sw decodes in software, + is parallel pipelines.
     #[arg(long, default_value = "dst", value_parser = machine_structure())]
     pub structure: MachineStructure,
+    /// A program in the place of the structure's: a listing (.s), or a program in C (.c), which clang-14 (the variable CLANG
+    /// names another) compiles. --dump-kernels writes the header, the sources and an example.
+    #[arg(long, value_name = "FILE", requires = "scene", conflicts_with_all = ["validate", "dump_config", "dump_kernels"])]
+    pub kernel: Option<PathBuf>,
+    /// Time such a program although its picture is not golden's, and count the pixels that differ.
+    #[arg(long, requires = "kernel")]
+    pub allow_difference: bool,
     /// raycast: primary and shadow rays; path: path tracing with 5 diffuse bounces.
     #[arg(long, default_value = "path", value_parser = test())]
     pub test: Test,
@@ -178,6 +185,9 @@ pub struct SimulateArgs {
     /// Print the machine as a TOML file.
     #[arg(long)]
     pub dump_config: bool,
+    /// Write the header, sources and listings of the programs and an example to a folder, for programs of your own.
+    #[arg(long, value_name = "DIR")]
+    pub dump_kernels: Option<PathBuf>,
 }
 
 #[derive(Args, Debug)]

@@ -4,12 +4,26 @@ use super::validate;
 use crate::cli::{Global, SimulateArgs};
 use crate::console::{Bars, Report, fixed, table};
 use machine::description::MachineDescription;
+use serde::Serialize;
+use std::path::PathBuf;
 use studies::fidelity::Interval;
-use studies::simulate::{self, FidelityRow, Options, Simulation};
+use studies::kernel;
+use studies::simulate::{self, FidelityRow, KernelRow, Options, Simulation};
+
+/// The files of `--dump-kernels`.
+#[derive(Serialize)]
+struct Dumped {
+    files: Vec<PathBuf>,
+}
 
 pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     if let Some(folder) = &args.validate {
         return validate::run(folder);
+    }
+    if let Some(folder) = &args.dump_kernels {
+        let dumped = Dumped { files: kernel::dump(folder, global.force)? };
+        let text = dumped.files.iter().map(|file| format!("{}\n", file.display())).collect();
+        return Ok(Report::new(&dumped, text));
     }
     let machine = MachineDescription::load(&args.machine.machine, &args.machine.settings)?;
     let scene = match &args.scene {
@@ -19,6 +33,8 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         scene,
         structure: args.structure,
+        kernel: args.kernel.clone(),
+        allow_difference: args.allow_difference,
         test: args.test,
         mode: args.mode.mode,
         quality: args.quality.quality,
@@ -35,6 +51,18 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     let mut report = Report::new(&simulation, text(&simulation));
     report.difference = simulation.fidelity.rtl_differences > 0;
     Ok(report)
+}
+
+/// The program and its picture, in words.
+fn kernel_text(kernel: &KernelRow) -> String {
+    let mut text = format!("kernel {}, sha256 of its listing {}\n", kernel.file, kernel.sha256);
+    text += &match &kernel.first_difference {
+        Some(first) => {
+            format!("{} pixels are not golden's; the first: {}\n", kernel.different_pixels, first.text)
+        }
+        None => "its picture is golden's\n".to_owned(),
+    };
+    text + "\n"
 }
 
 /// The level, the sample and the intervals, as text.
@@ -99,6 +127,7 @@ fn text(d: &Simulation) -> String {
         d.results.frame_ms,
         d.results.energy_mj.total
     );
+    text += &d.kernel.as_ref().map_or_else(String::new, kernel_text);
     text += &fidelity_text(&d.fidelity);
     let rows = d.quantities.iter();
     text += &table(

@@ -191,6 +191,8 @@ fn machine() -> Vec<Command> {
             "simulate-wide",
             "--size 16x16 --structure bvh8+ --set tm.load_words=line --pipeline-cost scaled",
         ),
+        Command::new("simulate-dump-kernels", "simulate --dump-kernels kernels"),
+        simulate("simulate-kernel", "--size 16x16 --kernel kernels/dst.s").after(&["simulate-dump-kernels"]),
         Command::new("simulate-trax", "simulate --machine trax --dump-config").text(),
         Command::new(
             "simulate-simtrax",

@@ -1,0 +1,58 @@
+//! The programs' sources and listings, as they are given to those who write their own.
+
+mod tidy;
+
+pub use tidy::statement;
+
+/// Options with which programs are compiled.
+pub const OPTIONS: &str = include_str!("../../kernels/clang.options");
+
+/// Listings, sources and definitions, one listing a line.
+const LISTINGS: &str = include_str!("../../kernels/listings.txt");
+
+macro_rules! files {
+    ($($name:literal)*) => { [$(($name, include_str!(concat!("../../kernels/", $name)))),*] };
+}
+
+/// Names and contents of the files: what programs include, the example, and the listings of all structures.
+pub const FILES: [(&str, &str); 11] = files! {
+    "trax.h" "frame.c" "traversal.h" "clang.options" "examples/no-t-min.c"
+    "dst.s" "dst-sw.s" "bvh2.s" "bvh2-parallel.s" "bvh-wide.s" "bvh-wide-parallel.s"
+};
+
+/// The content of the file `name` of [`FILES`].
+#[must_use]
+pub fn file(name: &str) -> Option<&'static str> {
+    FILES.iter().find(|(known, _)| *known == name).map(|(_, content)| *content)
+}
+
+/// What is defined where the listing `name` is compiled, each as `NAME` or `NAME=VALUE`.
+#[must_use]
+pub fn defines(name: &str) -> Vec<&'static str> {
+    let mut lines = LISTINGS.lines().map(str::split_whitespace);
+    lines.find_map(|mut line| (line.next() == Some(name)).then(|| line.skip(1).collect())).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::MachineStructure;
+
+    #[test]
+    fn every_structure_has_a_listing_and_a_definition() {
+        for structure in MachineStructure::ALL {
+            assert!(structure.listing().contains("main:"), "{structure}");
+            let defines = structure.defines();
+            assert!(defines.iter().any(|name| name.starts_with("DST") || name.starts_with("BVH=")));
+            assert_eq!(defines.contains(&"PARALLEL"), structure.name().ends_with('+'), "{structure}");
+        }
+    }
+
+    #[test]
+    fn a_tidied_listing_is_tidy() {
+        let again: String = file("dst.s").unwrap().lines().filter_map(statement).collect();
+        assert_eq!(again, file("dst.s").unwrap());
+        assert_eq!(statement("\t.word\t5\t# five"), Some("    .word 5\n".to_owned()));
+        assert_eq!(statement("$tmp12:"), None);
+    }
+}
