@@ -46,7 +46,8 @@ pub fn ahead<W: Work, T>(
 ) -> T {
     let (sender, executed) = sync_channel(MOST_AHEAD);
     std::thread::scope(|scope| {
-        scope.spawn(|| execute(work, program, plan, threads, &sender));
+        // The sender goes when an item has failed, so that nobody waits for those behind it.
+        scope.spawn(move || execute(work, program, plan, threads, &sender));
         // The receiver goes when timing is over or has failed, and with it whoever sends.
         let state = Mutex::new(State { executed, early: HashMap::new() });
         time(&Ahead { work, program, state })
