@@ -9,14 +9,17 @@
 //! Executing gives the picture, and the runs and addresses that the timing core takes. Items can be executed in any order and on
 //! several threads of the host.
 
+mod accesses;
 mod fault;
 mod interpreter;
 mod local_store;
 mod memory;
+mod pipelines;
 mod set_up;
 mod special;
 #[cfg(test)]
 mod tests;
+mod thread;
 
 pub use fault::{Difference, Fault, Mistake};
 pub use local_store::{LOCAL_STORE_BYTES, Misplaced};
@@ -25,10 +28,10 @@ pub use special::Special;
 
 use crate::core::Tape;
 use crate::program::{EntryId, Program, Register, START};
-use interpreter::{Stop, Surroundings, Thread};
 use set_up::SetUp;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
+use thread::{Stop, Surroundings, Thread};
 
 /// Items that are executed beforehand to find what items leave; one in eight of them is asked whether it reads that.
 const PROBES: u32 = 64;

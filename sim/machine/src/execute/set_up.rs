@@ -1,7 +1,7 @@
 //! The state in which items begin.
 
-use super::interpreter::Thread;
 use super::local_store::{LOCAL_STORE_BYTES, LOCAL_STORE_WORDS};
+use super::thread::Thread;
 use crate::program::{Register, STACK_POINTER};
 use std::collections::BTreeSet;
 
