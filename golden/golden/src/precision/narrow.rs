@@ -79,6 +79,14 @@ impl<T> Narrow<T> {
 }
 
 impl NarrowDst {
+    /// The box of everything in scene units.
+    #[must_use]
+    pub fn scene_box(&self) -> Aabb {
+        let unscaled = |x: f32| self.scale.unscaled(x) as f32;
+        let Aabb { min, max } = self.structure.root_box;
+        Aabb { min: min.map(unscaled), max: max.map(unscaled) }
+    }
+
     /// The step of this format's pipeline, where everything around it is in binary32 and in scene units: the node's `words` hold
     /// planes of this format, `ray` and the interval become narrow on the way in.
     #[must_use]

@@ -23,7 +23,7 @@ use super::description::DescriptionError;
 use super::execute::{Difference, Executor, Fault, Mistake, Special};
 use super::program::{EntryId, ListingError, Opcode, Program};
 use golden::precision::{NarrowDst, Variant};
-use golden::structure::{Structure, StructureFormat};
+use golden::structure::{Memory, Structure, StructureFormat};
 use render::{Pixel, PixelRenderer, RenderError, RenderOptions};
 use scenes::Scene;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -166,12 +166,17 @@ impl<'a, S: Special> FrameWork<'a, S> {
         operations: S,
     ) -> Result<Self, FrameError> {
         let kind = machine.structure.kind();
+        let scene_box;
         let memory = match traced {
             Traced::Wide(structure) => {
                 assert_eq!(structure.kind(), kind, "the structure that the machine is set up for");
                 structure.memory()
             }
-            Traced::Narrow(narrow) => narrow.structure.memory(),
+            Traced::Narrow(narrow) => {
+                // The program tests the box of everything itself, in binary32.
+                scene_box = narrow.scene_box();
+                Memory { root_box: &scene_box, ..narrow.structure.memory() }
+            }
         };
         let pixels = options.width * options.height;
         let renderer =
