@@ -10,6 +10,7 @@ use base::output::write_file;
 use estimate::Method;
 use golden::Mode;
 use golden::build::Quality;
+use machine::core::Counts;
 use machine::description::MachineDescription;
 use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals};
 use machine::reference::{ReferenceRuns, ValidatedRun};
@@ -236,9 +237,11 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     };
     if let Some(kernel) = &kernel {
         set_up = set_up.with_kernel(kernel.kernel.clone());
-        // A mistake in the listing shows before a large scene is loaded.
-        set_up.program().map_err(|error| explained(FrameError::from(error).into()))?;
     }
+    // A machine whose parts have no cost shows before its frame is simulated.
+    let program = set_up.program().map_err(|error| explained(FrameError::from(error).into()))?;
+    let none = Counts { runs: vec![0; program.code.runs.len()], ..Counts::default() };
+    Results::new(&set_up.description, set_up.pipeline.as_ref(), &program, &none)?;
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let (structure, _) = built.convert(args.structure.kind())?;

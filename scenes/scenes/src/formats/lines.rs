@@ -2,6 +2,9 @@
 
 use std::io::{self, BufRead};
 
+/// Most bytes of a line. A longer one is no text, and might not end.
+const MOST_BYTES: usize = 64 << 20;
+
 /// Reads `source` line by line.
 pub(super) struct Lines<R> {
     source: R,
@@ -19,7 +22,7 @@ impl<R: BufRead> Lines<R> {
     /// Appends the next line to `line`, without its end, and says whether it had one; `None` after the last line.
     ///
     /// # Errors
-    /// Those of the source.
+    /// Those of the source, and a line of more than 64 MiB.
     pub(super) fn next(&mut self, line: &mut Vec<u8>) -> io::Result<Option<bool>> {
         let mut any = false;
         loop {
@@ -36,6 +39,10 @@ impl<R: BufRead> Lines<R> {
                 return Ok(any.then_some(false));
             }
             any = true;
+            if line.len() > MOST_BYTES {
+                let message = "a line has more than 64 MiB, so this is not a text file";
+                return Err(io::Error::new(io::ErrorKind::InvalidData, message));
+            }
             let Some(end) = available.iter().position(|byte| matches!(byte, b'\n' | b'\r')) else {
                 line.extend_from_slice(available);
                 let bytes = available.len();
@@ -55,6 +62,12 @@ impl<R: BufRead> Lines<R> {
 mod tests {
     use super::*;
     use std::io::BufReader;
+
+    #[test]
+    fn a_line_without_an_end_is_an_error() {
+        let mut lines = Lines::new(BufReader::new(io::repeat(b'v')));
+        assert!(lines.next(&mut vec![]).unwrap_err().to_string().contains("64 MiB"));
+    }
 
     #[test]
     fn every_end_of_a_line_in_every_buffer() {

@@ -1,6 +1,6 @@
 //! Files of geometry: which formats there are, and how a file's format is found.
 //!
-//! A new format is a module with a function `fn(Input) -> Result<FileMesh, FormatError>` and an entry in [`FORMATS`]. What a reader
+//! A new format is a module with a function `fn(Input) -> Result<FileMesh, FormatError>` and an entry in `FORMATS`. What a reader
 //! has to keep: no panic, memory in proportion to the bytes that it is given, and errors that name the line or the element.
 
 pub mod error;

@@ -15,6 +15,9 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 /// Most items that are executed and not yet timed.
 const MOST_AHEAD: usize = 256;
 
+/// An item with more words is not followed by others ahead of time, so that those that wait do not fill the memory.
+const MOST_WORDS: usize = 1 << 20;
+
 /// An item that has been executed.
 struct Executed {
     item: u32,
@@ -70,9 +73,9 @@ fn execute<W: Work>(work: &W, program: &Program, plan: &Plan, threads: u32, send
         let mut words = vec![];
         let tape = Tape::new(&mut words, &mut counts);
         let recorded = work.record(item, entry, &mut if is_skipped { tape.not_timed() } else { tape });
-        let failed = recorded.is_err();
+        let is_last = recorded.is_err() || words.len() > MOST_WORDS;
         let executed = Executed { item, entry, tape: recorded.map(|()| words) };
-        if sender.send(executed).is_err() || failed {
+        if sender.send(executed).is_err() || is_last {
             return;
         }
     }

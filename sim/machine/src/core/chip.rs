@@ -21,6 +21,12 @@ pub enum SimulationError {
         "more than {MAX_CYCLES} cycles: lower the size of the image, or give the machine more multiprocessors"
     )]
     TooLong,
+    /// What threads execute at the same time does not fit in memory.
+    #[error(
+        "the items that are under way take more than {} MiB, as they execute many instructions each: give the machine fewer threads",
+        MOST_WORDS >> 18
+    )]
+    TooMuch,
     /// The program does something wrong.
     #[error(transparent)]
     Fault(#[from] Box<Fault>),
@@ -28,6 +34,9 @@ pub enum SimulationError {
 
 /// The longest simulation, with a margin for the longest latency.
 const MAX_CYCLES: u32 = u32::MAX - (1 << 20);
+
+/// Most words of the tapes of all threads.
+const MOST_WORDS: usize = 1 << 29;
 
 /// What a simulation counted.
 #[derive(Clone, Debug, Default)]
@@ -51,6 +60,10 @@ struct Seat {
     tm: Tm,
     /// The item that each thread has got from the counter.
     items: Vec<u32>,
+    /// Words of its threads' tapes.
+    words: usize,
+    /// The most that they may be.
+    most_words: usize,
     /// Times that each run was recorded.
     runs: Vec<u64>,
 }
@@ -75,7 +88,7 @@ struct Chip<'a> {
     /// Times that each run was recorded in items that are not timed.
     skipped_runs: Vec<u64>,
     /// What the program has done wrong.
-    fault: Option<Box<Fault>>,
+    fault: Option<SimulationError>,
 }
 
 /// Simulates `work` by `program` on `machine`.
@@ -128,6 +141,8 @@ fn time(
             .map(|tm| Seat {
                 tm: Tm::new(tm, machine),
                 items: vec![0; machine.tm.threads as usize],
+                words: 0,
+                most_words: MOST_WORDS / tms as usize,
                 runs: vec![0; program.code.runs.len()],
             })
             .collect(),
@@ -151,7 +166,7 @@ fn time(
     while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
         chip.quantum();
         if let Some(fault) = chip.fault {
-            return Err(fault.into());
+            return Err(fault);
         }
         if chip.now > MAX_CYCLES {
             return Err(SimulationError::TooLong);
@@ -180,7 +195,7 @@ impl Seat {
         program: &Program,
         work: &dyn Work,
         port: &mut Port,
-        fault: &mut Option<Box<Fault>>,
+        fault: &mut Option<SimulationError>,
     ) {
         while let Some(thread) = self.tm.ended.pop() {
             let thread = usize::from(thread);
@@ -194,15 +209,25 @@ impl Seat {
     }
 
     /// A thread has come to the end of its tape: behind the counter, or at the end of the program.
-    fn change_tape(&mut self, program: &Program, work: &dyn Work, thread: usize) -> Result<(), Box<Fault>> {
+    fn change_tape(
+        &mut self,
+        program: &Program,
+        work: &dyn Work,
+        thread: usize,
+    ) -> Result<(), SimulationError> {
         let place = &mut self.tm.threads[thread];
         let Some(entry) = program.code.runs[place.tape[place.at as usize] as usize].next else {
             self.tm.halt(thread);
             return Ok(());
         };
+        self.words = self.words.saturating_sub(place.tape.len());
         place.tape.clear();
         place.at = 0;
         work.record(self.items[thread], entry, &mut Tape::new(&mut place.tape, &mut self.runs))?;
+        self.words += place.tape.len();
+        if self.words > self.most_words {
+            return Err(SimulationError::TooMuch);
+        }
         self.tm.resume(program, thread);
         Ok(())
     }
@@ -279,7 +304,7 @@ impl Chip<'_> {
             words.clear();
             let mut tape = Tape::new(&mut words, &mut self.skipped_runs).not_timed();
             if let Err(fault) = self.work.record(item, entry, &mut tape) {
-                self.fault.get_or_insert(fault);
+                self.fault.get_or_insert(fault.into());
                 return;
             }
             if item < cold {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Component, Path};
 use std::rc::Rc;
 
 use base64::Engine;
@@ -85,7 +85,17 @@ impl<'a> Buffers<'a> {
             )));
         };
         let named = |e: std::io::Error| std::io::Error::new(e.kind(), format!("`{uri}`: {e}"));
-        let path = folder.join(&*percent_decode_str(uri).decode_utf8_lossy());
+        let name = percent_decode_str(uri).decode_utf8_lossy();
+        // A scene from elsewhere must not read any file of the host.
+        if Path::new(&*name)
+            .components()
+            .any(|part| !matches!(part, Component::Normal(_) | Component::CurDir))
+        {
+            return Err(FormatErrorKind::Unsupported(format!(
+                "the buffer `{uri}` is not beside the file or in a folder there"
+            )));
+        }
+        let path = folder.join(&*name);
         let file = File::open(path).map_err(|e| FormatErrorKind::Open(named(e)))?;
         let metadata = file.metadata().map_err(|e| FormatErrorKind::Read(named(e)))?;
         if !metadata.is_file() || metadata.len() < length as u64 {
