@@ -228,19 +228,11 @@ impl<'a> PixelRenderer<'a> {
         &self.frame
     }
 
-    /// The pixel at column and row `place`, with its rays traced through `structure` one after another.
+    /// The pixel at column and row `place`, with its rays traced through `structure` one after another, and how many these were.
     ///
     /// # Panics
     /// If `structure` was not built over the scene's mesh.
-    pub fn pixel<S: Trace>(&self, structure: &S, place: [u32; 2]) -> Pixel {
-        self.pixel_and_rays(structure, place).0
-    }
-
-    /// [`PixelRenderer::pixel`], and how many rays were traced for it.
-    ///
-    /// # Panics
-    /// If `structure` was not built over the scene's mesh.
-    pub fn pixel_and_rays<S: Trace>(&self, structure: &S, place: [u32; 2]) -> (Pixel, u64) {
+    pub fn pixel<S: Trace>(&self, structure: &S, place: [u32; 2]) -> (Pixel, u64) {
         integrate::pixel(structure, self.mesh, &self.frame, &self.options, place)
     }
 }

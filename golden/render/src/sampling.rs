@@ -2,17 +2,17 @@
 
 use base::split_mix::hash;
 
+/// Number of dimensions of a sample point.
+pub const SAMPLE_DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
+
 /// A component of a sample point in [0, 1): the value of the Owen-scrambled Sobol sequence of pixel `pixel`, counted row by row, at
 /// `sample_index` and `dimension`, with which a picture of seed `seed` is rendered.
 ///
-/// Number of dimensions.
-pub const SAMPLE_DIMENSIONS: u32 = sobol_burley::NUM_DIMENSIONS;
-
 /// Dimensions 0 and 1 are the place in the pixel, of all samples but the first; 2 + 2 `b` and 3 + 2 `b` the direction of bounce `b`,
 /// counted from 0.
 ///
 /// # Panics
-/// If `dimension` is 256 or greater.
+/// If `dimension` is [`SAMPLE_DIMENSIONS`] or greater.
 #[must_use]
 pub fn sample(seed: u64, pixel: u64, sample_index: u32, dimension: u32) -> f32 {
     PixelSamples::new(seed, pixel).value(sample_index, dimension)

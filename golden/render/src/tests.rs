@@ -136,7 +136,7 @@ fn pixels_one_by_one_are_those_of_the_picture() {
     let mut total = 0;
     for (i, expected) in (0..).zip(&picture.pixels) {
         let place = [i % options.width, i / options.width];
-        let (pixel, rays) = renderer.pixel_and_rays(&structure, place);
+        let (pixel, rays) = renderer.pixel(&structure, place);
         assert_eq!(&pixel, expected);
         assert!(rays >= u64::from(options.samples));
         total += rays;

@@ -5,7 +5,8 @@
 //! view in degrees.
 
 use std::ffi::OsString;
-use std::io::ErrorKind;
+use std::fs::File;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -52,13 +53,16 @@ pub(crate) fn file_name(stem: &Path) -> OsString {
 /// [`ViewError`] names the file, the line and the key.
 pub(crate) fn apply(path: &Path, camera: &mut Camera) -> Result<(), ViewError> {
     let fault = |line, what: String| ViewError { path: path.to_owned(), line, what };
-    let text = match std::fs::metadata(path) {
+    let mut text = String::new();
+    match File::open(path) {
         Err(e) if e.kind() == ErrorKind::NotFound => return Ok(()),
-        Ok(metadata) if metadata.len() > MOST_BYTES => {
-            return Err(fault(None, format!("the view has more than {MOST_BYTES} bytes")));
-        }
-        _ => std::fs::read_to_string(path).map_err(|e| fault(None, format!("cannot read the view ({e})")))?,
-    };
+        // A device has no size that could be looked at.
+        file => file.and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text)),
+    }
+    .map_err(|e| fault(None, format!("cannot read the view ({e})")))?;
+    if text.len() as u64 > MOST_BYTES {
+        return Err(fault(None, format!("the view has more than {MOST_BYTES} bytes")));
+    }
     let line_of =
         |at: usize| text.as_bytes()[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count() + 1;
     let view: View = toml::from_str(&text).map_err(|e| {

@@ -1,6 +1,6 @@
 //! Simulations of frames, and of the reference runs, on the many-core machine.
 
-use crate::fidelity::auto::{Step, auto};
+use crate::fidelity::auto::{FEWEST_BATCHES, Step, auto};
 use crate::fidelity::{FidelityError, Interval, Level, Sample, Subject};
 use crate::input::{Built, SceneSource, check_writable};
 use crate::kernel::Program;
@@ -206,9 +206,6 @@ impl StepRow {
         }
     }
 }
-
-/// Batches that a frame needs so that a sample of them costs less than all.
-const FEWEST_BATCHES: u32 = 12;
 
 /// Simulates the frame.
 ///

@@ -28,36 +28,17 @@ impl NarrowRay {
     /// `ray` in the format of `arithmetic`; `ray` is prepared in [`Variant::mode`].
     #[must_use]
     pub fn new(ray: &TraversalRay, arithmetic: NarrowArithmetic, scale: Scale, variant: Variant) -> Self {
-        let (round, keep) = (|x: f64, r: Rounding| arithmetic.round(x, r), Rounding::NearestEven);
+        let planes = Self::of_planes(&ray.planes(), arithmetic, scale, variant);
         // Doubles hold 1/d closely enough: it is no 25-bit number unless d is a power of two, and then it is exact.
         let reciprocal = |k: usize| f64::from(ray.inv_entry[k]).signum() / f64::from(ray.direction[k].abs());
-        let negative = |k: usize| ray.is_negative(k);
-        let origin = |k: usize, exit: bool| {
-            let origin = scale.scaled(ray.origin[k]);
-            match variant {
-                Variant::Naive => round(origin, keep),
-                Variant::Conservative => round(origin, against(difference_rounding(negative(k), exit))),
-            }
-        };
+        let rounding = by(variant, Rounding::TowardZero);
+        let inv_entry = std::array::from_fn(|k| arithmetic.round(reciprocal(k), rounding));
         Self {
-            arithmetic,
-            scale,
-            variant,
-            origin_entry: std::array::from_fn(|k| origin(k, false)),
-            origin_exit: std::array::from_fn(|k| origin(k, true)),
-            inv_entry: std::array::from_fn(|k| match variant {
-                Variant::Naive => round(reciprocal(k), keep),
-                Variant::Conservative => round(reciprocal(k), Rounding::TowardZero),
-            }),
-            inv_exit: std::array::from_fn(|k| match variant {
-                Variant::Naive => round(reciprocal(k), keep),
-                Variant::Conservative => {
-                    let away = if negative(k) { Rounding::Down } else { Rounding::Up };
-                    round(f64::from(ray.inv_exit[k]), away)
-                }
-            }),
-            t_min: round(scale.scaled(ray.t_min), by(variant, Rounding::Down)),
-            t_max: round(scale.scaled(ray.t_max), by(variant, Rounding::Up)),
+            inv_entry,
+            inv_exit: if variant == Variant::Naive { inv_entry } else { planes.inv_exit },
+            t_min: planes.bound(ray.t_min),
+            t_max: planes.limit(ray.t_max),
+            ..planes
         }
     }
 

@@ -142,6 +142,7 @@ impl FormatErrorKind {
         match error.get_ref().and_then(|inner| inner.downcast_ref::<Limit>()) {
             Some(Limit::Expands) => return Self::Expands,
             Some(Limit::XzMemory) => return Self::XzMemory,
+            Some(Limit::Line) => return Self::NotText("more than 64 MiB"),
             None => {}
         }
         match error.kind() {

@@ -2,6 +2,8 @@
 
 use std::io::{self, BufRead};
 
+use super::source::Limit;
+
 /// Most bytes of a line. A longer one is no text, and might not end.
 const MOST_BYTES: usize = 64 << 20;
 
@@ -22,7 +24,7 @@ impl<R: BufRead> Lines<R> {
     /// Appends the next line to `line`, without its end, and says whether it had one; `None` after the last line.
     ///
     /// # Errors
-    /// Those of the source, and a line of more than 64 MiB.
+    /// Those of the source, and [`Limit::Line`].
     pub(super) fn next(&mut self, line: &mut Vec<u8>) -> io::Result<Option<bool>> {
         let mut any = false;
         loop {
@@ -40,8 +42,7 @@ impl<R: BufRead> Lines<R> {
             }
             any = true;
             if line.len() > MOST_BYTES {
-                let message = "a line has more than 64 MiB, so this is not a text file";
-                return Err(io::Error::new(io::ErrorKind::InvalidData, message));
+                return Err(io::Error::other(Limit::Line));
             }
             let Some(end) = available.iter().position(|byte| matches!(byte, b'\n' | b'\r')) else {
                 line.extend_from_slice(available);
@@ -61,12 +62,15 @@ impl<R: BufRead> Lines<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formats;
     use std::io::BufReader;
+    use std::path::Path;
 
     #[test]
     fn a_line_without_an_end_is_an_error() {
-        let mut lines = Lines::new(BufReader::new(io::repeat(b'v')));
-        assert!(lines.next(&mut vec![]).unwrap_err().to_string().contains("64 MiB"));
+        let endless = BufReader::new(io::repeat(b'v'));
+        let error = formats::read(endless, Path::new("a.obj"), None, None).unwrap_err().to_string();
+        assert!(error.starts_with("a.obj:1: the line holds more than 64 MiB"), "{error}");
     }
 
     #[test]

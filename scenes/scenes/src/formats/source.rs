@@ -23,11 +23,12 @@ const XZ_MAGIC: &[u8] = b"\xfd7zXZ\0";
 const GZIP_MAGIC: &[u8] = b"\x1f\x8b";
 const BUFFER_BYTES: usize = 1 << 16;
 
-/// A limit that a compressed file exceeds.
+/// A limit that a file exceeds.
 #[derive(Debug)]
 pub(super) enum Limit {
     Expands,
     XzMemory,
+    Line,
 }
 
 impl fmt::Display for Limit {
@@ -35,6 +36,7 @@ impl fmt::Display for Limit {
         f.write_str(match self {
             Self::Expands => "too large when unpacked",
             Self::XzMemory => "unpacking takes too much memory",
+            Self::Line => "a line is too long",
         })
     }
 }

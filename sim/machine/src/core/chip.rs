@@ -185,6 +185,7 @@ impl Seat {
     fn start(&mut self, program: &Program, work: &dyn Work, thread: usize) -> Result<(), Box<Fault>> {
         let words = &mut self.tm.threads[thread].tape;
         work.start(&mut Tape::new(words, &mut self.runs))?;
+        self.words += words.len();
         self.tm.resume(program, thread);
         Ok(())
     }
@@ -220,7 +221,7 @@ impl Seat {
             self.tm.halt(thread);
             return Ok(());
         };
-        self.words = self.words.saturating_sub(place.tape.len());
+        self.words -= place.tape.len();
         place.tape.clear();
         place.at = 0;
         work.record(self.items[thread], entry, &mut Tape::new(&mut place.tape, &mut self.runs))?;

@@ -41,6 +41,20 @@ fn repeat(line: &str, times: usize) -> String {
 }
 
 #[test]
+fn items_that_take_too_much_memory_are_refused() {
+    // Each of 128 multiprocessors may hold 2^22 words of runs; an item goes round a loop more often.
+    let settings = ["chip.l2_partitions=8", "chip.tms_per_partition=16", "tm.threads=1"];
+    let machine = machine(&settings);
+    let program = Program::new("test", &listing("$loop:\nbnez $3, $loop\nnop"), &machine, 8).unwrap();
+    let simulated = |rounds: u64| {
+        let work = Walk { program: &program, items: 1, decide: |_, decision| (decision < rounds, 0) };
+        simulate(&machine, &program, &work, |_| {})
+    };
+    assert!(matches!(simulated(5 << 20), Err(SimulationError::TooMuch)));
+    assert!(simulated(1 << 10).is_ok());
+}
+
+#[test]
 fn results_are_used_when_they_are_ready_and_not_a_cycle_before() {
     // Independent: one a cycle. Dependent: one each latency; the last result is not waited for.
     assert_eq!(cycles(&[], &repeat("add.s $f1, $f2, $f3", 40)), 40);

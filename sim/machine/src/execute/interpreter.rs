@@ -3,7 +3,6 @@
 use super::fault::{Fault, Mistake};
 use super::special::Special;
 use super::thread::{Context, Thread};
-use crate::core::Tape;
 use crate::program::{CONDITION, Opcode, Operation, SINK};
 
 impl Thread {
@@ -13,8 +12,7 @@ impl Thread {
         &mut self,
         at: usize,
         operation: &Operation,
-        context: &mut Context<'_, S>,
-        tape: &mut Tape<'_>,
+        context: &mut Context<'_, '_, S>,
     ) -> Result<(), Box<Fault>> {
         use Opcode as O;
         let Operation { opcode, d, a, b, immediate } = *operation;
@@ -65,7 +63,7 @@ impl Thread {
             O::Cosine => self.set_float(d, special.cosine(self.float(a))),
             O::Random => {
                 if self.dimension >= render::SAMPLE_DIMENSIONS {
-                    return Err(Fault::new(context.around.program, at, self.item, Mistake::Random));
+                    return Err(self.fault(at, Mistake::Random, context));
                 }
                 self.set_float(d, special.random(self.item, self.dimension));
                 self.dimension += 1;
@@ -125,26 +123,25 @@ impl Thread {
                 self.store_local(at, address & !3, u32::from_be_bytes(bytes), context)?;
             }
             O::Load => {
-                let value = self.load(at, operation, 0, context, tape)?;
+                let value = self.load(at, operation, context)?;
                 self.set(d, value);
             }
             O::LoadWords => {
                 let words = &context.around.program.lists[immediate as usize >> 16];
                 let base = self.get(a);
                 for (word, register) in (0..).zip(words) {
-                    let value = self.load_from(at, base, operation, word, context, tape)?;
+                    let value = self.load_from(at, base, operation, word, context)?;
                     self.set(if *register == 0 { SINK } else { *register }, value);
                 }
             }
             O::LoadLane => {
-                let value = self.load(at, operation, 0, context, tape)?;
+                let value = self.load(at, operation, context)?;
                 let lane = self.lane(at, self.get(d), context)?;
                 self.lanes[lane][operation.offset() as usize - 1] = f32::from_bits(value);
             }
-            O::Store => self.store(at, operation, context, tape)?,
+            O::Store => self.store(at, operation, context)?,
             O::DualSplitStep => {
-                let list = &context.around.program.lists[immediate as usize];
-                self.dual_split_step(list, special);
+                self.dual_split_step(&context.around.program.lists[immediate as usize], special);
             }
             O::BoxTest => self.box_test(&context.around.program.lists[immediate as usize], special),
             O::BoxTestPair => self.box_test_pair(&context.around.program.lists[immediate as usize], special),

@@ -43,18 +43,6 @@ impl Memory {
         Self { words, values: zeros(), writers: zeros(), written }
     }
 
-    /// Number of words.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.words.len()
-    }
-
-    /// Whether there is none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.words.is_empty()
-    }
-
     /// What item `item` reads at `address`.
     ///
     /// # Errors
@@ -95,18 +83,6 @@ impl Memory {
                 Ok(())
             }
         }
-    }
-
-    /// Addresses of the words that items write.
-    #[must_use]
-    pub fn written_range(&self) -> Range<u32> {
-        self.written.clone()
-    }
-
-    /// All words that items write, as far as they have.
-    #[must_use]
-    pub fn all_written(&self) -> Vec<Option<u32>> {
-        self.written_range().map(|address| self.written(address)).collect()
     }
 
     /// The word at `address`, if an item has written it.

@@ -38,23 +38,23 @@ impl Thread {
         &mut self,
         at: usize,
         list: usize,
-        context: &mut Context<'_, S>,
+        context: &Context<'_, '_, S>,
     ) -> Result<(), Box<Fault>> {
         let Surroundings { program, memory, special } = context.around;
         let list = &program.lists[list];
         let triangle = self.get(list[4]);
         let mut words = [0.0; 9];
         for (address, word) in (0..).map(|word| triangle.wrapping_add(word)).zip(&mut words) {
-            let bits = memory
-                .load(address, self.item)
-                .map_err(|denied| Fault::new(program, at, self.item, Mistake::Load(address, denied)))?;
-            *word = f32::from_bits(bits);
+            let bits = memory.load(address, self.item);
+            *word = f32::from_bits(
+                bits.map_err(|denied| self.fault(at, Mistake::Load(address, denied), context))?,
+            );
         }
         // A triangle lies in memory axis by axis.
         let corners = std::array::from_fn(|corner| std::array::from_fn(|axis| words[3 * axis + corner]));
         let ray: [f32; 6] = self.floats(&list[5..]);
         if !words.iter().chain(&ray).all(|number| number.is_finite()) {
-            return Err(Fault::new(program, at, self.item, Mistake::NotFinite));
+            return Err(self.fault(at, Mistake::NotFinite, context));
         }
         let hit = special.exact(self.floats(&list[5..]), self.floats(&list[8..]), &corners);
         self.exact_tests += 1;
@@ -69,13 +69,13 @@ impl Thread {
         &self,
         at: usize,
         number: u32,
-        context: &Context<'_, S>,
+        context: &Context<'_, '_, S>,
     ) -> Result<usize, Box<Fault>> {
-        let program = context.around.program;
-        if (1..=program.lanes).contains(&number) {
+        let lanes = context.around.program.lanes;
+        if (1..=lanes).contains(&number) {
             Ok(number as usize - 1)
         } else {
-            Err(Fault::new(program, at, self.item, Mistake::Lane(number, program.lanes)))
+            Err(self.fault(at, Mistake::Lane(number, lanes), context))
         }
     }
 
@@ -101,7 +101,7 @@ impl Thread {
         &mut self,
         at: usize,
         list: usize,
-        context: &Context<'_, S>,
+        context: &Context<'_, '_, S>,
     ) -> Result<(), Box<Fault>> {
         let list = &context.around.program.lists[list];
         let (ray, t_max) = (self.plane_ray(&list[2..]), self.float(list[11]));

@@ -13,7 +13,7 @@ impl Special for Numbers {
 }
 
 /// Words of the memory of these programs; items write those from [`WRITTEN`] on.
-const WORDS: u32 = 64;
+const WORDS: u32 = 512;
 const WRITTEN: u32 = 32;
 
 /// What the items of a program have written. The program has `items` items, whose number is in `$5`; their code is `body`.
@@ -30,12 +30,13 @@ fn executed(set_up: &str, body: &str, items: u32) -> Result<Vec<Option<u32>>, Bo
     let mut counts = vec![0; program.code.runs.len()];
     let mut words = vec![];
     executor.start(&mut Tape::new(&mut words, &mut counts))?;
+    let (first, later) = executor.entries().unwrap();
     for item in 0..=items {
-        let entry = if item == 0 { executor.entries()[0] } else { *executor.entries().last().unwrap() };
+        let entry = if item == 0 { first } else { later };
         executor.record(item, entry, &mut Tape::new(&mut words, &mut counts))?;
     }
     executor.check()?;
-    Ok(executor.memory().all_written())
+    Ok((WRITTEN..WORDS).map(|address| executor.memory().written(address)).collect())
 }
 
 /// What an item writes whose code leaves it in `$6`.
@@ -154,12 +155,28 @@ fn items_that_depend_on_others_are_found_out() {
     assert_eq!(executed("addiu $8, $zero, 1", &moved, 3).unwrap()[2], Some(2));
 }
 
+/// One item in two hundred leaves something, and it is not among those that are executed beforehand.
+#[test]
+fn an_item_that_leaves_something_late_is_found_out() {
+    let store = format!("addiu $7, $5, {WRITTEN}\n STORE $6, $7, 0");
+    let late =
+        |change: &str| format!("xori $1, $5, 100\n bnez $1, $over\n nop\n {change}\n $over:\n {store}");
+    let faults = |set_up: &str, body: &str| executed(set_up, body, 200).unwrap_err().to_string();
+    let register = faults("addiu $8, $zero, 1", &format!("move $6, $8\n {}", late("addiu $8, $8, 1")));
+    assert!(register.contains("it reads $8 as an earlier item has left it"), "{register}");
+    let local = faults("sw $zero, 16($sp)", &format!("lw $6, 16($sp)\n {}", late("sw $5, 16($sp)")));
+    assert!(local.contains("it reads byte 32720 of the local store"), "{local}");
+    // What is left and not used does no harm.
+    let moved = format!("move $9, $8\n move $6, $5\n {}", late("addiu $8, $8, 1"));
+    assert_eq!(executed("addiu $8, $zero, 1", &moved, 200).unwrap()[150], Some(150));
+}
+
 #[test]
 fn what_a_program_does_wrong_names_line_and_address() {
     for (body, expected) in [
         (
-            "addiu $6, $zero, 99\n LOAD $6, $6, 1",
-            "line 10, in item 0: it loads word 100, which is outside memory",
+            "addiu $6, $zero, 599\n LOAD $6, $6, 1",
+            "line 10, in item 0: it loads word 600, which is outside memory",
         ),
         ("addiu $6, $zero, 3\n STORE $6, $6, 1", "it stores to word 4; only the picture can be written"),
         ("lw $6, 4096($sp)", "is outside the 32768 bytes of the local store"),

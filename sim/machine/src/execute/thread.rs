@@ -133,24 +133,19 @@ impl Thread {
         let graph = &program.graph;
         let mut node: NodeId = graph.entries[usize::from(entry)];
         let mut executed = 0;
-        let mut context = Context { around, entry, set_up };
-        tape.begin();
+        let mut context = Context { around, entry, set_up, tape };
+        context.tape.begin();
         loop {
             let here = &graph.nodes[node as usize];
             let body = here.body.start as usize..here.body.end as usize;
-            executed += body.len() as u64 + 2;
-            if executed > MOST_INSTRUCTIONS {
-                let mistake = Mistake::NoProgress(MOST_INSTRUCTIONS);
-                return Err(Fault::new(program, body.start, self.item, mistake));
-            }
             for (at, operation) in (body.start..).zip(&program.operations[body.clone()]) {
-                self.execute(at, operation, &mut context, tape)?;
+                self.execute(at, operation, &mut context)?;
             }
             let mut edge = here.next;
             if let Some(branch) = &here.branch {
                 let taken = self.holds(branch.test, branch.a, branch.b);
                 let slot = branch.slot as usize;
-                self.execute(slot, &program.operations[slot], &mut context, tape)?;
+                self.execute(slot, &program.operations[slot], &mut context)?;
                 if taken {
                     edge = branch.taken;
                 }
@@ -158,20 +153,30 @@ impl Thread {
             match edge {
                 Edge::Node(next) => node = next,
                 Edge::Entry(run, entry) => {
-                    tape.end(run);
+                    context.tape.end(run);
+                    executed += u64::from(program.code.runs[run as usize].length);
+                    if executed > MOST_INSTRUCTIONS {
+                        return Err(self.fault(body.start, Mistake::NoProgress(MOST_INSTRUCTIONS), &context));
+                    }
                     node = graph.entries[usize::from(entry)];
-                    tape.begin();
+                    context.tape.begin();
                 }
                 Edge::Counter(run, entry) => {
-                    tape.end(run);
+                    context.tape.end(run);
                     return Ok(Stop::Counter(body.end, entry));
                 }
                 Edge::End(run) => {
-                    tape.end(run);
+                    context.tape.end(run);
                     return Ok(Stop::End(body.end));
                 }
             }
         }
+    }
+
+    /// A mistake of the operation with index `at`.
+    #[cold]
+    pub(super) fn fault<S>(&self, at: usize, mistake: Mistake, context: &Context<'_, '_, S>) -> Box<Fault> {
+        Fault::new(context.around.program, at, self.item, mistake)
     }
 
     #[inline(always)]
@@ -190,10 +195,12 @@ impl Thread {
 }
 
 /// What stays the same while an item is executed.
-pub(super) struct Context<'a, S> {
+pub(super) struct Context<'a, 'tape, S> {
     pub(super) around: Surroundings<'a, S>,
     /// Where the item began.
     pub(super) entry: EntryId,
     /// The state there.
     pub(super) set_up: &'a SetUp,
+    /// Where it is recorded.
+    pub(super) tape: &'a mut Tape<'tape>,
 }

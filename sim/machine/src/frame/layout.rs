@@ -3,6 +3,7 @@
 use crate::description::check::out_of_range;
 use crate::description::{DescriptionError, MachineDescription};
 use crate::execute::Memory;
+use crate::kernels::parameter;
 use golden::ray::{EXIT_PADDING_ULPS, Mode};
 use golden::structure;
 use golden::triangle::Triangle;
@@ -19,25 +20,6 @@ pub struct Layout {
     pub triangles_at: u32,
     /// Words of everything.
     pub words: u64,
-}
-
-/// Numbers of the words of the parameter block, as `kernels/trax.h` has them.
-mod parameter {
-    pub const RAYS: usize = 1;
-    pub const BOUNCES: usize = 2;
-    pub const INVERSE_WIDTH: usize = 3;
-    pub const WIDTH: usize = 4;
-    pub const OUT: usize = 7;
-    pub const NODES: usize = 8;
-    pub const TRIANGLES: usize = 9;
-    pub const PADDING: usize = 10;
-    pub const EXTENT: usize = 11;
-    pub const CAMERA: usize = 16;
-    pub const LIGHT: usize = 28;
-    pub const BACKGROUND: usize = 34;
-    pub const ROOT: usize = 40;
-    /// Words of the block.
-    pub const COUNT: usize = 64;
 }
 
 impl Layout {

@@ -204,18 +204,6 @@ impl<'a, S: Special> FrameWork<'a, S> {
         &self.layout
     }
 
-    /// Where the first item of a thread begins.
-    #[must_use]
-    pub fn first_entry(&self) -> EntryId {
-        self.executor.entries()[0]
-    }
-
-    /// Where all others begin.
-    #[must_use]
-    pub fn later_entry(&self) -> EntryId {
-        *self.executor.entries().last().expect("a program that takes items")
-    }
-
     /// Executes item `item` without rendering it by golden.
     ///
     /// # Errors
@@ -228,11 +216,11 @@ impl<'a, S: Special> FrameWork<'a, S> {
     fn golden(&self, pixel: [u32; 2]) -> (Pixel, u64, bool) {
         match self.traced {
             Traced::Wide(structure) => {
-                let (pixel, rays) = self.renderer.pixel_and_rays(structure, pixel);
+                let (pixel, rays) = self.renderer.pixel(structure, pixel);
                 (pixel, rays, true)
             }
             Traced::Narrow(narrow) => {
-                let (pixel, rays) = self.renderer.pixel_and_rays(narrow, pixel);
+                let (pixel, rays) = self.renderer.pixel(narrow, pixel);
                 // Where rounding loses hits, it is a matter of which operations are rounded.
                 (pixel, rays, narrow.precision.variant == Variant::Conservative)
             }
@@ -283,7 +271,7 @@ impl<S: Special> Work for FrameWork<'_, S> {
     }
 
     fn entries(&self) -> Option<(EntryId, EntryId)> {
-        self.executor.entries().first().copied().zip(self.executor.entries().last().copied())
+        self.executor.entries()
     }
 
     fn start(&self, tape: &mut Tape<'_>) -> Result<(), Box<Fault>> {

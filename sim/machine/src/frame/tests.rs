@@ -73,9 +73,10 @@ fn execute<S: Special>(
     let mut counts = vec![0; work.program.code.runs.len()];
     let mut words = vec![];
     work.start(&mut Tape::new(&mut words, &mut counts)).map_err(SimulationError::from)?;
+    let (first, later) = work.entries().expect("it takes items");
     for item in 0..=work.items() {
         words.clear();
-        let entry = if item == 0 { work.first_entry() } else { work.later_entry() };
+        let entry = if item == 0 { first } else { later };
         let mut tape = Tape::new(&mut words, &mut counts);
         work.record(item, entry, &mut tape).map_err(SimulationError::from)?;
     }
@@ -110,15 +111,10 @@ fn mistaken(line: &str) -> Option<String> {
         "beqz" => "bnez",
         "bnez" => "beqz",
         "bltz" => "bgez",
-        "LOAD" => {
+        "LOAD" | "STORE" => {
             let (registers, offset) = operands.rsplit_once(", ")?;
             let offset: u32 = offset.parse().ok()?;
-            return Some(format!("LOAD {registers}, {}", offset + 1));
-        }
-        "STORE" => {
-            let (registers, offset) = operands.rsplit_once(", ")?;
-            let offset: u32 = offset.parse().ok()?;
-            return Some(format!("STORE {registers}, {}", offset + 1));
+            return Some(format!("{mnemonic} {registers}, {}", offset + 1));
         }
         _ => return None,
     };
@@ -273,11 +269,12 @@ fn a_wrong_exact_decision_changes_the_picture() {
         let program = machine.program().unwrap();
         let traced = Traced::Wide(&structure);
         let work = FrameWork::with_operations(&machine, program, &scene, traced, &options(), special)?;
+        let (_, later) = work.entries().expect("it takes items");
         for item in 0..work.items() {
             let mut counts = vec![0; work.program.code.runs.len()];
             let mut words = vec![];
             let mut tape = Tape::new(&mut words, &mut counts);
-            work.record(item, work.later_entry(), &mut tape).map_err(SimulationError::from)?;
+            work.record(item, later, &mut tape).map_err(SimulationError::from)?;
         }
         let totals = work.done.into_inner().unwrap().totals;
         Ok::<_, FrameError>((totals.exact_tests, totals.triangle_tests))

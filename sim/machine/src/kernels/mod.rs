@@ -4,6 +4,26 @@ mod tidy;
 
 pub use tidy::statement;
 
+/// Numbers of the words of the parameter block at the start of memory, as `trax.h` has them behind `PARAM_`.
+pub(crate) mod parameter {
+    pub const RAYS: usize = 1;
+    pub const BOUNCES: usize = 2;
+    pub const INVERSE_WIDTH: usize = 3;
+    pub const WIDTH: usize = 4;
+    pub const OUT: usize = 7;
+    pub const NODES: usize = 8;
+    pub const TRIANGLES: usize = 9;
+    pub const PADDING: usize = 10;
+    pub const EXTENT: usize = 11;
+    pub const RAY_BASE: usize = 14;
+    pub const CAMERA: usize = 16;
+    pub const LIGHT: usize = 28;
+    pub const BACKGROUND: usize = 34;
+    pub const ROOT: usize = 40;
+    /// Words of the block.
+    pub const COUNT: usize = 64;
+}
+
 /// Options with which programs are compiled.
 pub const OPTIONS: &str = include_str!("../../kernels/clang.options");
 
@@ -46,6 +66,34 @@ mod tests {
             assert!(defines.iter().any(|name| name.starts_with("DST") || name.starts_with("BVH=")));
             assert_eq!(defines.contains(&"PARALLEL"), structure.name().ends_with('+'), "{structure}");
         }
+    }
+
+    #[test]
+    fn parameters_have_the_numbers_of_the_header() {
+        let header = file("trax.h").unwrap();
+        let of = |line: &str| -> Option<(String, usize)> {
+            let (name, number) = line.trim().strip_prefix("PARAM_")?.split_once(" = ")?;
+            Some((name.to_owned(), number.split(',').next()?.parse().ok()?))
+        };
+        let found: Vec<(String, usize)> = header.lines().filter_map(of).collect();
+        let expected = [
+            ("RAYS", parameter::RAYS),
+            ("BOUNCES", parameter::BOUNCES),
+            ("INVERSE_WIDTH", parameter::INVERSE_WIDTH),
+            ("WIDTH", parameter::WIDTH),
+            ("OUT", parameter::OUT),
+            ("NODES", parameter::NODES),
+            ("TRIANGLES", parameter::TRIANGLES),
+            ("PADDING", parameter::PADDING),
+            ("EXTENT", parameter::EXTENT),
+            ("RAY_BASE", parameter::RAY_BASE),
+            ("CAMERA", parameter::CAMERA),
+            ("LIGHT", parameter::LIGHT),
+            ("BACKGROUND", parameter::BACKGROUND),
+            ("ROOT", parameter::ROOT),
+        ];
+        assert_eq!(found, expected.map(|(name, number)| (name.to_owned(), number)));
+        const { assert!(parameter::ROOT + 7 <= parameter::COUNT) }
     }
 
     #[test]

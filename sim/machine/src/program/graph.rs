@@ -8,6 +8,7 @@
 use super::code::Route;
 use super::decode::Test;
 use super::listing::{Control, Listing, ListingError};
+use super::operation::Operation;
 use super::registers::Register;
 use super::{EntryId, RunId};
 use std::ops::Range;
@@ -136,8 +137,8 @@ impl Builder<'_> {
                 return Err(self.error(self.points[MOST_ENTRIES], message));
             }
             let onward = self.onward();
-            let worst = self.points.iter().copied().max_by_key(|at| self.paths(*at, &onward));
-            let Some(worst) = worst.filter(|at| self.paths(*at, &onward) > MOST_PATHS) else {
+            let worst = self.points.iter().copied().max_by_key(|at| onward[*at]);
+            let Some(worst) = worst.filter(|at| onward[*at] > MOST_PATHS) else {
                 return Ok(());
             };
             let inward = self.inward(worst);
@@ -218,11 +219,6 @@ impl Builder<'_> {
         paths
     }
 
-    /// Paths from the entry point at instruction `at`.
-    fn paths(&self, at: usize, onward: &[u64]) -> u64 {
-        onward[at]
-    }
-
     /// Paths to each instruction from the entry point at instruction `from`.
     fn inward(&self, from: usize) -> Vec<u64> {
         let mut paths = vec![0u64; self.listing.instructions.len()];
@@ -258,6 +254,8 @@ impl Builder<'_> {
         let body = at as u32..here as u32;
         let instruction = self.listing.instructions[here];
         let over = self.points.contains(&here) && here > at;
+        let Operation { a, b, .. } = instruction.operation;
+        let branch = |test, taken| Branch { test, a, b, slot: here as u32 + 1, taken };
         let (branch, next) = match instruction.control {
             _ if over => (None, self.edge(entry, here, route)),
             Control::Next => unreachable!("straight instructions end at a branch or an entry point"),
@@ -268,22 +266,14 @@ impl Builder<'_> {
             }
             Control::End => {
                 route.extend([here, here + 1]);
-                let branch = Branch {
-                    test: Test::Always,
-                    a: instruction.operation.a,
-                    b: instruction.operation.b,
-                    slot: here as u32 + 1,
-                    taken: Edge::End(0),
-                };
                 let end = Edge::End(self.run(entry, None, route));
-                (Some(Branch { taken: end, ..branch }), end)
+                (Some(branch(Test::Always, end)), end)
             }
             Control::Branch(test, to) => {
                 route.extend([here, here + 1]);
                 let taken = self.edge(entry, to, route);
                 let next = if test == Test::Always { taken } else { self.edge(entry, here + 2, route) };
-                let (a, b) = (instruction.operation.a, instruction.operation.b);
-                (Some(Branch { test, a, b, slot: here as u32 + 1, taken }), next)
+                (Some(branch(test, taken)), next)
             }
         };
         route.truncate(length);

@@ -1,8 +1,9 @@
 //! A set of rays as work for the machine, by the program that was written after the reference's.
 
-use super::scene::{RAY_WORDS, RESULT_WORDS, RaySet, ReferenceScene};
+use super::scene::{RESULT_WORDS, RaySet, ReferenceScene};
 use crate::core::{Tape, Work};
 use crate::execute::{Executor, Fault, Memory, Special};
+use crate::kernels::parameter;
 use crate::program::{EntryId, Program};
 use std::sync::Arc;
 
@@ -11,15 +12,6 @@ pub struct ReferenceWork<'a> {
     executor: Executor<NoSamples>,
     scene: &'a ReferenceScene,
     rays: &'a RaySet,
-}
-
-/// Numbers of the words of the parameter block, as `kernels/trax.h` has them.
-mod parameter {
-    pub const RAYS: usize = 1;
-    pub const OUT: usize = 7;
-    pub const NODES: usize = 8;
-    pub const TRIANGLES: usize = 9;
-    pub const RAY_BASE: usize = 14;
 }
 
 /// Golden's operations; the program asks for no sample.
@@ -90,7 +82,7 @@ impl Work for ReferenceWork<'_> {
     }
 
     fn entries(&self) -> Option<(EntryId, EntryId)> {
-        self.executor.entries().first().copied().zip(self.executor.entries().last().copied())
+        self.executor.entries()
     }
 
     fn start(&self, tape: &mut Tape<'_>) -> Result<(), Box<Fault>> {
@@ -101,5 +93,3 @@ impl Work for ReferenceWork<'_> {
         self.executor.record(item, entry, tape).map(|_exact_tests| ())
     }
 }
-
-const _: () = assert!(RAY_WORDS == 8);

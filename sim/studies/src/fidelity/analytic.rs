@@ -54,7 +54,7 @@ pub fn record(
     line_words: u32,
 ) -> Result<Vec<Asked>, Box<Fault>> {
     let program = &*work.program;
-    let later = work.later_entry();
+    let (_, later) = work.entries().expect("a frame has items");
     let lengths: Vec<u64> = program.code.runs.iter().map(|run| u64::from(run.length)).collect();
     let batch = |&index: &u32| {
         let mut asked = Asked {
@@ -89,10 +89,14 @@ pub fn sum(batches: &[Asked]) -> Asked {
     batches.iter().fold(Asked::default(), Asked::merge)
 }
 
-/// How often each run is executed by a thread beside its pixels, where these were all recorded as later ones: it starts, takes its
-/// first pixel from another place, and finds that there are no more.
+/// How often a thread executes each run beside its pixels, if these were all recorded as later ones.
 #[derive(Clone, Debug)]
-pub struct Ends(Vec<i64>);
+pub struct Ends {
+    /// A thread starts, and finds in the end that there are no more pixels.
+    always: Vec<u64>,
+    /// A thread takes its first pixel from another place: by how much the runs differ, of pixel 0.
+    first: Vec<i64>,
+}
 
 impl Ends {
     /// Those of a thread of `work`.
@@ -100,23 +104,27 @@ impl Ends {
     /// # Errors
     /// What the program does wrong.
     pub fn new(work: &FrameWork<'_>) -> Result<Self, Box<Fault>> {
-        let (first, later) = (work.first_entry(), work.later_entry());
+        let (first, later) = work.entries().expect("a frame has items");
         let count = |record: &dyn Fn(&mut Tape<'_>) -> Result<(), Box<Fault>>| {
             let mut counts = vec![0; work.program.code.runs.len()];
             record(&mut Tape::new(&mut vec![], &mut counts).not_timed()).map(|()| counts)
         };
-        let start = count(&|tape| work.start(tape))?;
-        let end = count(&|tape| work.record(work.items(), later, tape))?;
-        let [as_first, as_later] = [first, later].map(|entry| count(&|tape| work.execute(0, entry, tape)));
-        let (as_first, as_later) = (as_first?, as_later?);
-        let of = |run: usize| (start[run] + end[run] + as_first[run]) as i64 - as_later[run] as i64;
-        Ok(Self((0..start.len()).map(of).collect()))
+        let always = count(&|tape| {
+            work.start(tape)?;
+            work.execute(work.items(), later, tape)
+        })?;
+        let as_first = count(&|tape| work.execute(0, first, tape))?;
+        let as_later = count(&|tape| work.execute(0, later, tape))?;
+        let first = as_first.iter().zip(as_later).map(|(first, later)| *first as i64 - later as i64);
+        Ok(Self { always, first: first.collect() })
     }
 
-    /// Adds those of `threads` threads to the `runs` of pixels.
-    fn add(&self, threads: u64, runs: &mut [u64]) {
-        for (run, times) in runs.iter_mut().zip(&self.0) {
-            *run = (*run as i64 + times * threads as i64).max(0) as u64;
+    /// Adds those of `threads` threads to the `runs` of `pixels`.
+    fn add(&self, threads: u64, pixels: u64, runs: &mut [u64]) {
+        let busy = threads.min(pixels) as i64;
+        for ((run, always), first) in runs.iter_mut().zip(&self.always).zip(&self.first) {
+            // Another first pixel than pixel 0 may have taken another path.
+            *run = (*run + always * threads).saturating_add_signed(first * busy);
         }
     }
 }
@@ -130,18 +138,18 @@ pub struct Bound {
     pub resource: String,
 }
 
-/// The least time that `machine` needs for `scale` times the work `asked`.
+/// The least time that `machine` needs for `scale` times the work `asked`, which is a frame of `pixels`.
 #[must_use]
 pub fn bound(
     machine: &MachineDescription,
     program: &Program,
     ends: &Ends,
     asked: &Asked,
-    scale: f64,
+    (pixels, scale): (u64, f64),
 ) -> Bound {
     let threads = u64::from(machine.chip.tms() * machine.tm.threads);
     let mut runs: Vec<u64> = asked.runs.iter().map(|times| (*times as f64 * scale).round() as u64).collect();
-    ends.add(threads, &mut runs);
+    ends.add(threads, pixels, &mut runs);
     let mut counts = Counts { runs, ..Counts::default() };
     let instructions = Instructions::new(program, &counts);
     let tms = f64::from(machine.chip.tms());

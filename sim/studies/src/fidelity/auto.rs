@@ -4,6 +4,8 @@ use super::{BIAS, Estimate, FidelityError, Level, Sample, Subject};
 
 /// Strata of the first sample, by which the variance is judged.
 const FIRST_PAIRS: u32 = 6;
+/// Batches that a frame needs to have so many strata.
+pub const FEWEST_BATCHES: u32 = 2 * FIRST_PAIRS;
 /// Factor by which a sample exceeds its predicted size, because the prediction uses an estimated variance.
 const MARGIN: f64 = 1.3;
 /// The share of pixels timed from which on a sample costs nearly as much as the whole frame, which is then simulated instead.
@@ -65,9 +67,6 @@ fn next_sample(
     seed: u64,
 ) -> Result<Sample, FidelityError> {
     let sample = Sample::of(pairs, seed);
-    if subject.batches(sample.batch_fills).drawable() < 2 {
-        return Ok(Sample::ALL);
-    }
     let (batches, _, plan) = subject.plan(&sample)?;
     let skipped: usize = plan.skipped.iter().map(ExactSizeIterator::len).sum();
     let timed = 1.0 - skipped as f64 / f64::from(batches.items);

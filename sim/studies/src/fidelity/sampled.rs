@@ -58,6 +58,12 @@ impl Sample {
         Self { pairs: Some(pairs), seed, ..Self::ALL }
     }
 
+    /// Strata in which `batches` are drawn. A frame without two batches to draw, such as one of fewer pixels than the machine has
+    /// threads, is timed as a whole.
+    fn pairs_of(&self, batches: &Batches) -> Option<u32> {
+        self.pairs.filter(|_| batches.drawable() >= 2)
+    }
+
     /// A sample of the fraction `share` of a frame in `batches`, and of at least two batches. A `share` of 1 is the whole frame.
     #[must_use]
     pub fn share(share: f64, batches: &Batches, seed: u64) -> Self {
@@ -137,9 +143,6 @@ impl<'a> Subject<'a> {
         sample: &Sample,
         pixels_done: impl FnMut(u32) + Send,
     ) -> Result<Estimate, FidelityError> {
-        // A frame with fewer pixels than the machine has threads, say, has no batch to draw.
-        let whole = Sample { pairs: None, ..*sample };
-        let sample = if self.batches(sample.batch_fills).drawable() < 2 { &whole } else { sample };
         match level {
             Level::Analytic => self.analytic(sample),
             Level::Rtl if self.machine.pipeline.is_none() => {
@@ -164,7 +167,7 @@ impl<'a> Subject<'a> {
         let work = self.work(false)?;
         let machine = &self.machine.description;
         let batches = self.batches(sample.batch_fills);
-        let indices: Vec<u32> = match sample.pairs {
+        let indices: Vec<u32> = match sample.pairs_of(&batches) {
             None => (0..batches.count).collect(),
             Some(pairs) => batches.draw(pairs, sample.seed).indices().collect(),
         };
@@ -172,7 +175,13 @@ impl<'a> Subject<'a> {
         let ends = analytic::Ends::new(&work)?;
         let pixels: u32 = indices.iter().map(|index| batches.items_of(*index).len() as u32).sum();
         let scale = f64::from(batches.items) / f64::from(pixels);
-        let bound = analytic::bound(machine, &work.program, &ends, &analytic::sum(&asked), scale);
+        let bound = analytic::bound(
+            machine,
+            &work.program,
+            &ends,
+            &analytic::sum(&asked),
+            (batches.items.into(), scale),
+        );
         let results = self.results(&work.program, &bound.counts)?;
         let whole = indices.len() == batches.count as usize;
         let (mut frame_ms, mut energy_mj) =
@@ -213,7 +222,7 @@ impl<'a> Subject<'a> {
     /// The parts of the frame that are timed.
     pub(super) fn plan(&self, sample: &Sample) -> Result<(Batches, Draw, Plan), FidelityError> {
         let batches = self.batches(sample.batch_fills);
-        let Some(pairs) = sample.pairs else {
+        let Some(pairs) = sample.pairs_of(&batches) else {
             let draw = Draw { strata: vec![(batches.drawable(), (1..=batches.drawable()).collect())] };
             let plan = batches.plan(&draw, 0, 0);
             return Ok((batches, draw, plan));
@@ -254,7 +263,8 @@ impl<'a> Subject<'a> {
         Ok(Estimate {
             level,
             batches: batches.count,
-            measured: plan.marks.len() as u32 / 2,
+            // A frame of one batch is measured as its first and as its end.
+            measured: (plan.marks.len() as u32 / 2).min(batches.count),
             timed_share: 1.0 - f64::from(skipped) / f64::from(batches.items),
             counts,
             results,
