@@ -32,6 +32,7 @@
 //!     size: Bytes(kib << 10),
 //!     line: Bytes(64),
 //!     banks: 8,
+//!     ports: 1,
 //!     bank_by: BankBy::Word,
 //!     associativity: 1,
 //!     latency_cycles,

@@ -17,7 +17,7 @@ pub struct Port {
     line_shift: u32,
     /// Banks that served accesses have taken.
     busy: Banks,
-    /// Banks that requests that go beyond the port will take if they are served.
+    /// Banks that a request that goes beyond the port will take if it is served.
     asked: Banks,
     outstanding: Outstanding,
     /// What happened.
@@ -45,7 +45,7 @@ impl Port {
             latency_cycles: if cache.enabled { cache.latency_cycles } else { 0 },
             line_shift: cache.line_words().trailing_zeros(),
             busy: Banks::new(cache),
-            asked: Banks::new(cache),
+            asked: Banks::new(&Cache { ports: 1, ..*cache }),
             outstanding: Outstanding::default(),
             counts: CacheCounts::default(),
         }

@@ -106,8 +106,7 @@ fn larger_caches_never_fetch_more_and_more_threads_are_not_slower() {
     let run = |settings: &[&str]| prepared.run(&machine(settings), MachineStructure::Bvh2, &options).1;
     // A cache that holds all lines fetches each line once, whatever its size.
     let one = ["chip.l2_partitions=1", "chip.tms_per_partition=1", "l2.associativity=16"];
-    let cost = ["l2.area_mm2=1.0", "l2.energy_nj=1.0"];
-    let reads = |size: &str| run(&[one[0], one[1], one[2], cost[0], cost[1], size]).dram.counts.reads;
+    let reads = |size: &str| run(&[one[0], one[1], one[2], size]).dram.counts.reads;
     let (large, larger) = (reads("l2.size=4MiB"), reads("l2.size=16MiB"));
     assert_eq!(large, larger);
     assert!(reads("l2.size=32KiB") > large);

@@ -164,6 +164,8 @@ pub struct Results {
     pub dram: DramResults,
     /// Traffic.
     pub bandwidth_gb_s: BandwidthGbS,
+    /// What each cache costs, and where the number is from.
+    pub cache_costs: CacheCosts,
     /// Where the energy of a pipeline operation is from.
     pub pipeline_cost_source: String,
 }
@@ -275,6 +277,7 @@ impl Results {
                 dram_peak: lines_per_second * f64::from(machine.dram.channels) * machine.l2.line.0 as f64
                     / 1e9,
             },
+            cache_costs: costs,
             pipeline_cost_source: pipeline_cost.map_or("no pipeline".to_owned(), |cost| cost.source.clone()),
         })
     }

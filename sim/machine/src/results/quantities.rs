@@ -58,6 +58,11 @@ impl Results {
         ] {
             add(&format!("area_mm2.{name}"), value, "mm2", meaning);
         }
+        let c = &self.cache_costs;
+        for (name, cost) in [("l1", &c.l1), ("l2", &c.l2), ("icache", &c.icache)] {
+            add(&format!("cache_costs.{name}.area_mm2"), cost.area_mm2, "mm2", cost.area_source);
+            add(&format!("cache_costs.{name}.energy_nj"), cost.energy_nj, "nJ", cost.energy_source);
+        }
         for (name, meaning) in [
             ("issue", "an instruction other than a nop was issued"),
             ("data", "an operand was not ready, loaded data included"),

@@ -5,7 +5,7 @@ pub mod check;
 mod dram;
 mod size;
 
-pub use cache::{BankBy, Cache, MAX_BANKS};
+pub use cache::{BankBy, Cache, MAX_BANKS, MAX_PORTS};
 pub use dram::{Dram, DramPower, DramTiming, Mapping};
 pub use size::Bytes;
 
@@ -71,6 +71,7 @@ pub(crate) mod tests {
             description.check().unwrap_err().to_string()
         };
         assert_eq!(error(|d| d.l1.banks = 3), "l1.banks = 3: a power of two from 1 to 64");
+        assert_eq!(error(|d| d.l2.ports = 5), "l2.ports = 5: from 1 to 4");
         assert_eq!(error(|d| d.l2.line = Bytes(32)), "l2.line = 32B: equal to l1.line, 64B");
         assert_eq!(error(|d| d.dram.write_drain_high = 90), "dram.write_drain_high = 90: from 1 to 80");
         assert_eq!(error(|d| d.dram.power.vdd_v = -1.0), "dram.power.vdd_v = -1: finite, at least 0");

@@ -10,6 +10,7 @@ pub fn cache(bytes: u64, banks: u32, latency_cycles: u32) -> Cache {
         size: Bytes(bytes),
         line: Bytes(64),
         banks,
+        ports: 1,
         bank_by: BankBy::Word,
         associativity: 1,
         latency_cycles,

@@ -134,6 +134,10 @@ fn text(d: &Simulation) -> String {
         ["quantity", "value", "unit", "meaning"],
         rows.map(|q| [q.name.clone(), fixed(q.value, 4), q.unit.to_owned(), q.meaning.to_owned()]),
     );
+    let costs = &d.results.cache_costs;
+    for (name, cost) in [("l1", &costs.l1), ("l2", &costs.l2)].into_iter().filter(|(_, c)| c.is_modelled()) {
+        text += &format!("\n{name}: area {}; energy {}\n", cost.area_source, cost.energy_source);
+    }
     text += &format!(
         "\nsimulated {:.0} rays/s; pipeline energy: {}\n",
         d.simulated_rays_per_second, d.results.pipeline_cost_source

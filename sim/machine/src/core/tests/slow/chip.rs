@@ -89,7 +89,7 @@ impl<W: Work> Slow<'_, W> {
         }
         let partition = self.tms[number].partition;
         let l2_bank = Resource::L2(partition, bank(&self.machine.l2, address));
-        if self.is_taken(l2_bank, now) {
+        if self.is_taken(l2_bank, now, self.machine.l2.ports) {
             self.counts.l2.bank_conflicts += 1;
             return Outcome::Refused;
         }

@@ -166,8 +166,8 @@ impl<W: Work> Slow<'_, W> {
         *taken <= many
     }
 
-    fn is_taken(&self, resource: Resource, now: u32) -> bool {
-        self.taken.contains_key(&(resource, now))
+    fn is_taken(&self, resource: Resource, now: u32, many: u32) -> bool {
+        self.taken.get(&(resource, now)).is_some_and(|taken| *taken >= many)
     }
 
     /// One quantum from cycle `start` on; the cycle at which the next one begins.
@@ -282,7 +282,7 @@ impl<W: Work> Slow<'_, W> {
         let request = Request { cycle: now, tm, thread: number, kind: op.kind, address };
         if op.kind != Kind::Counter {
             let bank = lines::bank(&self.machine.l1, address);
-            if !self.is_taken(Resource::Asked(tm, bank), now) {
+            if !self.is_taken(Resource::Asked(tm, bank), now, 1) {
                 if self.l1_refuses(&request) {
                     self.counts.thread_cycles.memory += 1;
                     return self.tms[tm].threads[number].time += 1;
