@@ -41,6 +41,9 @@ pub struct MachineDescription {
     pub l2: Cache,
     /// The memory that all share.
     pub dram: Dram,
+    /// What a scene needs, where `dualsplit needs` wrote the description. Nothing depends on it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub needs: Option<toml::Table>,
 }
 
 /// Number of partitions and multiprocessors.

@@ -205,8 +205,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Needs> {
         miss_curve,
         artifacts: vec![],
     };
-    artifacts.write("needs.toml", files::toml(&needs)?.as_bytes())?;
-    artifacts.write("machine.toml", files::machine(&needs)?.to_toml().as_bytes())?;
+    artifacts.write("needs.toml", files::machine(&needs)?.to_toml().as_bytes())?;
     for (name, chart) in files::charts(&needs) {
         artifacts.write(&format!("{name}.svg"), chart.svg().as_bytes())?;
     }
