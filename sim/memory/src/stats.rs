@@ -1,9 +1,10 @@
 //! What happened, counted.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Accesses of a cache.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct CacheCounts {
     /// Loads that were taken.
     pub loads: u64,
@@ -43,7 +44,8 @@ impl CacheCounts {
 }
 
 /// What the memory did.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct DramCounts {
     /// Lines read.
     pub reads: u64,

@@ -14,7 +14,7 @@ use machine::core::Counts;
 use machine::description::MachineDescription;
 use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals};
 use machine::reference::{ReferenceRuns, ValidatedRun};
-use machine::results::{Quantity, Results};
+use machine::results::{Quantity, Results, Tally};
 use rayon::prelude::*;
 use render::{RenderOptions, Test};
 use serde::Serialize;
@@ -238,7 +238,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     // A machine whose parts have no cost shows before its frame is simulated.
     let program = set_up.program().map_err(|error| explained(FrameError::from(error).into()))?;
     let none = Counts { runs: vec![0; program.code.runs.len()], ..Counts::default() };
-    Results::new(&set_up.description, set_up.pipeline.as_ref(), &program, &none)?;
+    Results::new(&set_up.description, set_up.pipeline.as_ref(), &Tally::new(&program, &none))?;
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let (structure, _) = built.convert(args.structure.kind())?;

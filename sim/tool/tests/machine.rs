@@ -7,7 +7,7 @@ use golden::structure::{Structure, pack_triangles};
 use machine::description::MachineDescription;
 use machine::frame::{FrameMachine, MachineStructure, frame};
 use machine::reference::ReferenceRuns;
-use machine::results::Results;
+use machine::results::{Results, Tally};
 use render::{RenderOptions, Test, render};
 use scenes::Scene;
 
@@ -42,8 +42,8 @@ impl Prepared {
         let set_up = FrameMachine::new(machine, structure, estimate::by_name(Method::Published)).unwrap();
         let golden = self.structure(structure);
         let frame = frame(&set_up, &self.scene, &golden, options, |_| {}).unwrap();
-        let results =
-            Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts);
+        let tally = Tally::new(&frame.program, &frame.counts);
+        let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &tally);
         (frame, results.unwrap())
     }
 }
@@ -142,6 +142,8 @@ fn every_quantity_has_a_meaning_and_its_bytes_do_not_depend_on_the_host() {
     assert!((energy / results.energy_mj.total - 1.0).abs() < 1e-12, "{energy} mJ");
     let groups = results.energy_groups_mj;
     assert!(((groups.dram + groups.cache + groups.compute) / energy - 1.0).abs() < 1e-12);
+    let storage = results.energy_storage_mj;
+    assert!(((storage.dram + storage.on_chip + storage.execution) / energy - 1.0).abs() < 1e-12);
     let mut names: Vec<String> = vec![];
     for quantity in results.quantities(frame.rays) {
         assert!(!quantity.meaning.is_empty() && quantity.value.is_finite(), "{quantity:?}");

@@ -1,9 +1,10 @@
 //! What threads did, counted.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Thread-cycles of a multiprocessor by what the thread did; every thread-cycle is in exactly one class.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct ThreadCycles {
     /// An instruction other than a nop was issued.
     pub issue: u64,

@@ -6,6 +6,7 @@
 
 pub(crate) mod check;
 mod settings;
+mod timing;
 
 pub use check::DescriptionError;
 pub use memory::description::{BankBy, Bytes, Cache, Dram, DramPower, DramTiming, Mapping};

@@ -5,7 +5,7 @@ use super::{ANY, CLOSEST, ReferenceWork};
 use crate::core::{SimulationError, simulate};
 use crate::description::{DescriptionError, MachineDescription};
 use crate::program::{ListingError, Program};
-use crate::results::Results;
+use crate::results::{Results, Tally};
 use cpu_time::ThreadTime;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -249,7 +249,7 @@ impl ReferenceRuns {
         let counts = simulate(&machine, &program, &work, |_| {})?;
         let seconds = start.elapsed().as_secs_f64();
         let result_mismatches = work.mismatches();
-        let results = Results::new(&machine, None, &program, &counts)?;
+        let results = Results::new(&machine, None, &Tally::new(&program, &counts))?;
         Ok(compare(run, &results, result_mismatches, rays.rays.len() as u64, seconds))
     }
 }

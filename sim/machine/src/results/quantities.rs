@@ -45,6 +45,15 @@ impl Results {
         add("energy_groups_mj.dram", g.dram, "mJ", "memory");
         add("energy_groups_mj.cache", g.cache, "mJ", "first- and second-level and instruction caches");
         add("energy_groups_mj.compute", g.compute, "mJ", "registers, local stores, units, pipelines");
+        let s = &self.energy_storage_mj;
+        add("energy_storage_mj.dram", s.dram, "mJ", "memory");
+        add(
+            "energy_storage_mj.on_chip",
+            s.on_chip,
+            "mJ",
+            "caches, instruction caches, registers, local stores",
+        );
+        add("energy_storage_mj.execution", s.execution, "mJ", "units, pipelines");
         let a = &self.area_mm2;
         for (name, value, meaning) in [
             ("l1", a.l1, "first-level caches"),

@@ -10,7 +10,7 @@ use golden::structure::Structure;
 use machine::core::{Counts, Noted, Plan, simulate_plan};
 use machine::frame::{Checker, FrameMachine, FrameWork, Totals};
 use machine::program::Program;
-use machine::results::{Instructions, Results};
+use machine::results::{Instructions, Results, Tally};
 use render::RenderOptions;
 use scenes::Scene;
 use std::time::Instant;
@@ -158,7 +158,8 @@ impl<'a> Subject<'a> {
     }
 
     fn results(&self, program: &Program, counts: &Counts) -> Result<Results, FidelityError> {
-        Ok(Results::new(&self.machine.description, self.machine.pipeline.as_ref(), program, counts)?)
+        let tally = Tally::new(program, counts);
+        Ok(Results::new(&self.machine.description, self.machine.pipeline.as_ref(), &tally)?)
     }
 
     /// The analytic bound, with an interval by the spread of work between batches.

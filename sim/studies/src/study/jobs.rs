@@ -4,7 +4,7 @@ use anyhow::Context;
 use machine::description::MachineDescription;
 use machine::frame::MachineStructure;
 use render::Test;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The size of a study.
 pub struct Preset {
@@ -15,7 +15,7 @@ pub struct Preset {
     /// Partitions and multiprocessors per partition.
     pub chip: [u32; 2],
     /// Multiprocessors of the scaling runs, up to eight in a partition.
-    scaling_tms: &'static [u32],
+    pub scaling_tms: &'static [u32],
 }
 
 /// The size for the main job, which has two minutes for the study.
@@ -37,7 +37,7 @@ impl Preset {
 }
 
 /// The series that a simulation belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Series {
     /// All scenes, structures and tests.
@@ -111,7 +111,7 @@ impl Job {
         Ok(MachineDescription::load(name, &settings)?)
     }
 
-    /// The file that keeps the row of this simulation.
+    /// The file that keeps the record of this simulation.
     pub fn file(&self, scene: &str, preset: &str) -> String {
         let part = match self.series {
             Series::Main => String::new(),

@@ -1,8 +1,10 @@
-//! The paper's study: all scenes, structures and tests on the machine. The study keeps its runs in files and repeats none.
+//! The paper's study: all scenes, structures and tests on the machine. The study keeps its runs in files and repeats none. A file
+//! holds what its run counted, so that the tables are always at the prices of the machine that is asked for.
 
 pub mod comparison;
 mod jobs;
 mod plots;
+mod record;
 pub mod row;
 
 use crate::artifacts::Artifacts;
@@ -14,10 +16,10 @@ use estimate::Method;
 use golden::build::Quality;
 use golden::structure::{Structure, StructureKind};
 use jobs::{Job, Preset};
-use machine::frame::{FrameMachine, frame};
-use machine::results::Results;
+use machine::costs::CacheCosts;
+use machine::frame::FrameMachine;
 use rayon::prelude::*;
-use render::RenderOptions;
+use record::{Planned, Record};
 use row::Row;
 use scenes::Scene;
 use serde::Serialize;
@@ -76,15 +78,33 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
         },
         None => names,
     };
+    let planned = planned(preset, args)?;
     let mut artifacts = Artifacts::create(&args.out, args.force)?;
     let mut runs = finished(&args.out)?;
     for scene in chosen {
-        simulate_scene(scene, preset, args, progress, &mut runs, &mut artifacts)?;
+        let of_scene: Vec<&Planned> = planned.iter().filter(|planned| planned.scene == scene).collect();
+        simulate_scene(scene, &of_scene, preset, args, progress, &mut runs, &mut artifacts)?;
     }
-    for (name, row) in &runs {
-        artifacts.write(name, serde_json::to_string_pretty(row)?.as_bytes())?;
+    for (name, record) in &runs {
+        artifacts.write(name, serde_json::to_string_pretty(record)?.as_bytes())?;
     }
-    let all: Vec<Row> = runs.into_values().filter(|row| row.preset == args.preset).collect();
+    let mut all: Vec<Row> = vec![];
+    let mut others = 0;
+    for planned in &planned {
+        match runs.get(&planned.file) {
+            Some(record) if record.fingerprint == planned.fingerprint => {
+                all.push(planned.row(&args.preset, preset, record)?);
+            }
+            Some(_) => others += 1,
+            None => {}
+        }
+    }
+    if others > 0 {
+        progress.note(&format!(
+            "{}: {others} kept runs of scenes that are not simulated now are of another machine, tree or version, and in no table",
+            display(&args.out)
+        ));
+    }
     let of = |series| row::of_series(&all, series);
     let (rows, scaling, load_width) = (of(Series::Main), of(Series::Scaling), of(Series::LoadWidth));
     let comparison = compare(&rows, &scaling);
@@ -101,8 +121,37 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
     Ok(study)
 }
 
+/// All simulations of all scenes, in the order of their files.
+fn planned(preset: &Preset, args: &Options) -> anyhow::Result<Vec<Planned>> {
+    let mut machines: Vec<(Job, FrameMachine, String)> = vec![];
+    let mut all = vec![];
+    for scene in scenes::procedural::CATALOGUE {
+        for job in Job::of_scene(scene.name, preset) {
+            // Scenes and tests share machines, whose pipelines take a while to elaborate.
+            let same = |(other, ..): &&(Job, FrameMachine, String)| {
+                (other.structure, other.chip, other.load_words) == (job.structure, job.chip, job.load_words)
+            };
+            let (machine, fingerprint) = match machines.iter().find(same) {
+                Some((_, machine, fingerprint)) => (machine.clone(), fingerprint.clone()),
+                None => {
+                    let machine = job.machine(&args.machine, &args.settings)?;
+                    let machine =
+                        FrameMachine::new(&machine, job.structure, estimate::by_name(args.pipeline_cost))?;
+                    let fingerprint = record::fingerprint(&machine, args.quality, args.seed, preset);
+                    machines.push((job, machine.clone(), fingerprint.clone()));
+                    (machine, fingerprint)
+                }
+            };
+            let file = job.file(scene.name, &args.preset);
+            all.push(Planned { scene: scene.name.to_owned(), job, machine, file, fingerprint });
+        }
+    }
+    all.sort_by(|a, b| a.file.cmp(&b.file));
+    Ok(all)
+}
+
 /// The runs that an earlier study left in `folder`.
-fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
+fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Record>> {
     let mut runs = BTreeMap::new();
     let Ok(entries) = fs::read_dir(folder.join("runs")) else {
         return Ok(runs);
@@ -112,8 +161,8 @@ fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
         let name = format!("runs/{}", entry.file_name().to_string_lossy());
         let text = fs::read_to_string(entry.path()).with_context(|| display(&entry.path()))?;
         // A file of an older version does not parse, and its run is simulated again.
-        if let Ok(row) = serde_json::from_str(&text) {
-            runs.insert(name, row);
+        if let Ok(record) = serde_json::from_str(&text) {
+            runs.insert(name, record);
         }
     }
     Ok(runs)
@@ -121,30 +170,29 @@ fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
 
 fn simulate_scene(
     name: &str,
+    planned: &[&Planned],
     preset: &Preset,
     args: &Options,
     progress: &dyn Progress,
-    runs: &mut BTreeMap<String, Row>,
+    runs: &mut BTreeMap<String, Record>,
     artifacts: &mut Artifacts,
 ) -> anyhow::Result<()> {
-    let mut open = vec![];
-    for job in Job::of_scene(name, preset) {
-        let machine = job.machine(&args.machine, &args.settings)?;
-        let machine = FrameMachine::new(&machine, job.structure, estimate::by_name(args.pipeline_cost))?;
-        let file = job.file(name, &args.preset);
-        let fingerprint = row::fingerprint(&machine, args.quality, args.seed, preset);
-        if runs.get(&file).is_none_or(|row| row.fingerprint != fingerprint) {
-            open.push((job, machine, file, fingerprint));
-        }
-    }
+    let is_open = |planned: &&&Planned| {
+        runs.get(&planned.file).is_none_or(|record| record.fingerprint != planned.fingerprint)
+    };
+    let open: Vec<&Planned> = planned.iter().filter(is_open).copied().collect();
     if open.is_empty() {
         return Ok(());
+    }
+    for planned in &open {
+        // A machine whose parts have no cost shows before a frame is simulated.
+        CacheCosts::new(&planned.machine.description)?;
     }
     let scene = Scene::load(name, preset.detail, args.seed)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let structures = StructureKind::ALL
         .into_par_iter()
-        .filter(|kind| open.iter().any(|(job, ..)| job.structure.kind() == *kind))
+        .filter(|kind| open.iter().any(|planned| planned.job.structure.kind() == *kind))
         .map(|kind| Ok(built.convert(kind)?.0))
         .collect::<anyhow::Result<Vec<Structure>>>()?;
     let part = Part::begin(progress, open.len() as u64, name);
@@ -152,49 +200,16 @@ fn simulate_scene(
     for batch in open.chunks(rayon::current_num_threads().max(1)) {
         let done = batch
             .par_iter()
-            .map(|(job, machine, file, fingerprint)| {
-                let row = simulate_one(&scene, &structures, preset, args, job, machine, fingerprint)?;
+            .map(|planned| {
+                let record = planned.simulate(preset, args.seed, &scene, &structures)?;
                 part.advance(1);
-                Ok((file.clone(), row))
+                Ok((planned.file.clone(), record))
             })
-            .collect::<anyhow::Result<Vec<(String, Row)>>>()?;
-        for (file, row) in done {
-            artifacts.write(&file, serde_json::to_string_pretty(&row)?.as_bytes())?;
-            runs.insert(file, row);
+            .collect::<anyhow::Result<Vec<(String, Record)>>>()?;
+        for (file, record) in done {
+            artifacts.write(&file, serde_json::to_string_pretty(&record)?.as_bytes())?;
+            runs.insert(file, record);
         }
     }
     Ok(())
-}
-
-#[allow(clippy::too_many_arguments, reason = "everything that a run depends on")]
-fn simulate_one(
-    scene: &Scene,
-    structures: &[Structure],
-    preset: &Preset,
-    args: &Options,
-    job: &Job,
-    set_up: &FrameMachine,
-    fingerprint: &str,
-) -> anyhow::Result<Row> {
-    let structure = structures.iter().find(|s| s.kind() == job.structure.kind()).expect("all kinds");
-    let mut options = RenderOptions::new(job.test, preset.width, preset.height);
-    options.seed = args.seed;
-    let frame = frame(set_up, scene, structure, &options, |_| {})?;
-    let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts)?;
-    Ok(Row::new(
-        row::Run {
-            preset: &args.preset,
-            scene,
-            structure: job.structure.name(),
-            test: job.test.name(),
-            tms: set_up.description.chip.tms(),
-            series: job.series,
-            load_words: job.load_words,
-            node_bytes: structure.node_bytes(),
-            fingerprint,
-        },
-        &options,
-        &frame,
-        &results,
-    ))
 }

@@ -34,6 +34,8 @@ fn tables(study: &Study) -> String {
         "DRAM mJ",
         "cache mJ",
         "compute mJ",
+        "on-chip mJ",
+        "execution mJ",
         "issue %",
         "data %",
     ];
@@ -49,6 +51,8 @@ fn tables(study: &Study) -> String {
             fixed(row.dram_mj, 3),
             fixed(row.cache_mj, 3),
             fixed(row.compute_mj, 3),
+            fixed(row.on_chip_mj, 3),
+            fixed(row.execution_mj, 3),
             fixed(row.issue_pct, 1),
             fixed(row.data_pct, 1),
         ]
