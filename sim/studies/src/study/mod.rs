@@ -12,6 +12,7 @@ use crate::input::{Built, display};
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail};
 use comparison::{Claim, compare};
+use costs::Pipeline;
 use estimate::Method;
 use golden::build::Quality;
 use golden::structure::{Structure, StructureKind};
@@ -23,6 +24,7 @@ use record::{Planned, Record};
 use row::Row;
 use scenes::Scene;
 use serde::Serialize;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -123,25 +125,18 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
 
 /// All simulations of all scenes, in the order of their files.
 fn planned(preset: &Preset, args: &Options) -> anyhow::Result<Vec<Planned>> {
-    let mut machines: Vec<(Job, FrameMachine, String)> = vec![];
+    // All simulations share few pipelines, which take a while to elaborate.
+    let elaborated: RefCell<BTreeMap<String, Pipeline>> = RefCell::default();
+    let elaborate = estimate::by_name(args.pipeline_cost);
+    let pipeline = |name: &str| {
+        elaborated.borrow_mut().entry(name.to_owned()).or_insert_with(|| elaborate(name)).clone()
+    };
     let mut all = vec![];
     for scene in scenes::procedural::CATALOGUE {
         for job in Job::of_scene(scene.name, preset) {
-            // Scenes and tests share machines, whose pipelines take a while to elaborate.
-            let same = |(other, ..): &&(Job, FrameMachine, String)| {
-                (other.structure, other.chip, other.load_words) == (job.structure, job.chip, job.load_words)
-            };
-            let (machine, fingerprint) = match machines.iter().find(same) {
-                Some((_, machine, fingerprint)) => (machine.clone(), fingerprint.clone()),
-                None => {
-                    let machine = job.machine(&args.machine, &args.settings)?;
-                    let machine =
-                        FrameMachine::new(&machine, job.structure, estimate::by_name(args.pipeline_cost))?;
-                    let fingerprint = record::fingerprint(&machine, args.quality, args.seed, preset);
-                    machines.push((job, machine.clone(), fingerprint.clone()));
-                    (machine, fingerprint)
-                }
-            };
+            let machine = job.machine(&args.machine, &args.settings)?;
+            let machine = FrameMachine::new(&machine, job.structure, pipeline)?;
+            let fingerprint = record::fingerprint(&machine, args.quality, args.seed, preset);
             let file = job.file(scene.name, &args.preset);
             all.push(Planned { scene: scene.name.to_owned(), job, machine, file, fingerprint });
         }
