@@ -109,7 +109,7 @@
         if (node < 0) {
             triangle = node & BVH_INDEX;
         } else {
-            int at = nodes + (node & BVH_INDEX) * 7;
+            int at = FIRST_CHILD(node);
             float left, right;
             int hits;
 #define CHILD(c, offset)                                                                               \
@@ -160,7 +160,7 @@
             triangle = node & BVH_INDEX;
         } else {
             // All children that are hit go on the stack, the farthest first; the nearest is taken from it at once.
-            int at = nodes + (node & BVH_INDEX) * 7;
+            int at = FIRST_CHILD(node);
             int word = LOAD_INT(at, 0);
             int count = (word >> 28 & 7) + 1, bottom = depth;
 #ifdef PARALLEL

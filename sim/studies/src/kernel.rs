@@ -5,7 +5,7 @@ use crate::input::display;
 use anyhow::{Context, anyhow, bail, ensure};
 use base::output::{WriteError, write_file};
 use machine::core::SimulationError;
-use machine::frame::{FrameError, Kernel, MachineStructure};
+use machine::frame::{FrameError, Kernel};
 use machine::kernels::{FILES, OPTIONS, statement};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
@@ -32,18 +32,18 @@ pub struct Program {
 }
 
 impl Program {
-    /// Reads the listing `path` (`.s`), or compiles the program `path` (`.c`) for `structure`.
+    /// Reads the listing `path` (`.s`), or compiles the program `path` (`.c`) with these `defines`.
     ///
     /// # Errors
     /// The file has another extension, cannot be read or compiled, or there is no compiler.
-    pub fn load(path: &Path, structure: MachineStructure, may_differ: bool) -> anyhow::Result<Self> {
+    pub fn load(path: &Path, defines: &[&str], may_differ: bool) -> anyhow::Result<Self> {
         let file = display(path);
         let is_file = fs::metadata(path).with_context(|| format!("{file}: cannot read"))?.is_file();
         ensure!(is_file, "{file}: this is no file; name a listing (.s) or a program in C (.c)");
         let (name, listing, origins) = match path.extension().and_then(|extension| extension.to_str()) {
             Some("s" | "S") => (file.clone(), read(path).with_context(|| file.clone())?, vec![]),
             Some("c") => {
-                let (listing, origins) = compile(path, structure)?;
+                let (listing, origins) = compile(path, defines)?;
                 (format!("the listing of {file}"), listing, origins)
             }
             _ => bail!("{file}: a kernel is a listing (.s) or a program in C (.c); rename the file"),
@@ -91,7 +91,7 @@ fn read(path: &Path) -> anyhow::Result<String> {
 }
 
 /// The listing of a program in C, and where each of its lines comes from.
-fn compile(path: &Path, structure: MachineStructure) -> anyhow::Result<(String, Vec<String>)> {
+fn compile(path: &Path, defines: &[&str]) -> anyhow::Result<(String, Vec<String>)> {
     let folder = tempfile::tempdir().context("a folder for the compiler cannot be made")?;
     let include = folder.path().join("include");
     for (name, content) in FILES {
@@ -106,7 +106,7 @@ fn compile(path: &Path, structure: MachineStructure) -> anyhow::Result<(String, 
     let clang = std::env::var_os("CLANG").unwrap_or_else(|| "clang-14".into());
     let output = Command::new(&clang)
         .args(OPTIONS.split_whitespace())
-        .args(structure.defines().iter().map(|name| format!("-D{name}")))
+        .args(defines.iter().map(|name| format!("-D{name}")))
         // Positions in the source; instructions are the same with and without.
         .arg("-gline-tables-only")
         .arg("-I")

@@ -12,7 +12,7 @@ use golden::Mode;
 use golden::build::Quality;
 use machine::core::Counts;
 use machine::description::MachineDescription;
-use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals};
+use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals, node_bytes};
 use machine::reference::{ReferenceRuns, ValidatedRun};
 use machine::results::{Quantity, Results};
 use rayon::prelude::*;
@@ -98,7 +98,8 @@ pub struct Simulation {
     pub machine: String,
     pub width: u32,
     pub height: u32,
-    pub node_bytes: usize,
+    /// Gaps between them included.
+    pub node_bytes: u64,
     /// The rays of all pixels recorded. Only an analytic sample leaves pixels unrecorded.
     pub rays: u64,
     pub exact_triangle_tests: u64,
@@ -225,8 +226,10 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
         "--sample does not go with --fidelity auto, which draws its own samples; name a level"
     );
     let mut set_up = FrameMachine::new(machine, args.structure, estimate::by_name(args.pipeline_cost))?;
-    let kernel =
-        args.kernel.as_deref().map(|path| Program::load(path, args.structure, args.allow_difference));
+    let kernel = args
+        .kernel
+        .as_deref()
+        .map(|path| Program::load(path, &args.structure.defines(machine.layout), args.allow_difference));
     let kernel = kernel.transpose()?;
     let explained = |error: FidelityError| match &kernel {
         Some(kernel) => kernel.explained(error),
@@ -242,6 +245,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let (structure, _) = built.convert(args.structure.kind())?;
+    let node_bytes = node_bytes(&structure, machine.layout)?;
     let [width, height] = args.size;
     let mut options = RenderOptions::new(args.test, width, height);
     options.mode = args.mode;
@@ -289,7 +293,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
         machine: machine.name.clone(),
         width,
         height,
-        node_bytes: structure.node_bytes(),
+        node_bytes: node_bytes.0,
         rays: totals.rays,
         exact_triangle_tests: totals.exact_tests,
         triangle_tests: totals.triangle_tests,

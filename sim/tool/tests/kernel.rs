@@ -2,6 +2,7 @@
 
 mod support;
 
+use machine::description::NodeLayout;
 use machine::frame::MachineStructure;
 use machine::kernels;
 use serde_json::Value;
@@ -71,7 +72,11 @@ fn a_program_in_c_of_ours_is_timed_as_ours() {
         let own = work.json(&format!("{SIMULATE} --structure {structure} --kernel mine.c"));
         assert_eq!(quantities(&own), quantities(&ours), "{structure}");
         // Its listing is the one that comes with the tool.
-        let listing = kernels::FILES.iter().find(|(_, content)| *content == structure.listing()).unwrap().0;
+        let listing = kernels::FILES
+            .iter()
+            .find(|(_, content)| *content == structure.listing(NodeLayout::default()))
+            .unwrap()
+            .0;
         let read = work.json(&format!("{SIMULATE} --structure {structure} --kernel own/{listing}"));
         assert_eq!(own["kernel"]["sha256"], read["kernel"]["sha256"], "{structure}");
     }
@@ -239,7 +244,7 @@ fn refused() {
     work.refused("simulate --dump-kernels own", &["own", "--force"]);
     work.write("own/dst.s", b"mine");
     work.json("simulate --dump-kernels own --force");
-    assert_eq!(work.read("own/dst.s"), MachineStructure::Dst.listing().as_bytes());
+    assert_eq!(work.read("own/dst.s"), MachineStructure::Dst.listing(NodeLayout::default()).as_bytes());
     for (line, words) in [
         ("simulate --validate own --kernel own/dst.s", &["--kernel", "--validate"][..]),
         ("simulate --dump-config --kernel own/dst.s", &["--kernel", "--dump-config"]),

@@ -69,6 +69,12 @@ impl MachineDescription {
         }
         within("chip.l2_partitions", chip.l2_partitions, 1, MAX_TMS)?;
         within("chip.tms_per_partition", chip.tms_per_partition, 1, MAX_TMS / chip.l2_partitions)?;
+        let alignment = self.layout.alignment;
+        let is_block = alignment.0.is_power_of_two() && (4..=256).contains(&alignment.0);
+        if !(self.layout.is_packed() || is_block) {
+            let rule = "0 for packed nodes, or a power of two of bytes from 4 to 256";
+            return Err(out_of_range("layout.alignment", alignment, rule));
+        }
         within("tm.threads", tm.threads, 1, MAX_THREADS)?;
         if let LoadWords::Words(words) = tm.load_words
             && ![1, 2, 4].contains(&words)

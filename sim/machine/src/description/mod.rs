@@ -29,6 +29,9 @@ pub struct MachineDescription {
     pub clock_ghz: f64,
     /// How many of everything.
     pub chip: Chip,
+    /// How a structure's nodes lie in memory; packed where the key is missing.
+    #[serde(default)]
+    pub layout: NodeLayout,
     /// One thread multiprocessor.
     pub tm: Tm,
     /// Its instruction caches.
@@ -58,6 +61,29 @@ impl Chip {
     #[must_use]
     pub fn tms(&self) -> u32 {
         self.l2_partitions * self.tms_per_partition
+    }
+}
+
+/// How the nodes of a structure lie in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NodeLayout {
+    /// The children of a node lie in as few blocks of this size as they can, each block at a multiple of its size. At 0, nodes are
+    /// packed.
+    pub alignment: Bytes,
+}
+
+impl Default for NodeLayout {
+    fn default() -> Self {
+        Self { alignment: Bytes(0) }
+    }
+}
+
+impl NodeLayout {
+    /// Whether nodes lie one after another as golden stores them.
+    #[must_use]
+    pub fn is_packed(self) -> bool {
+        self.alignment == Bytes(0)
     }
 }
 
@@ -260,6 +286,20 @@ mod tests {
     }
 
     #[test]
+    fn keys_that_a_file_leaves_out_can_be_set() {
+        let mut table: toml::Table = toml::from_str(PRESETS[0].1).unwrap();
+        assert!(table.remove("layout").is_some());
+        let text = toml::to_string(&table).unwrap();
+        let settings = ["layout.alignment=64B"].map(str::to_owned);
+        let trax = MachineDescription::load("trax", &settings).unwrap();
+        assert_eq!(settings::parse("old.toml", &text, &settings).unwrap(), trax);
+        assert_eq!(
+            settings::parse("old.toml", &text, &[]).unwrap(),
+            MachineDescription::load("trax", &[]).unwrap()
+        );
+    }
+
+    #[test]
     fn errors_name_the_key() {
         for (setting, key) in [
             ("l1.banks=0", "l1.banks"),
@@ -270,6 +310,8 @@ mod tests {
             ("l1.size=48KiB", "l1.size"),
             ("l1.size=big", "l1.size"),
             ("l1.size=64KB", "size"),
+            ("layout.alignment=48B", "layout.alignment"),
+            ("layout.alignment=512B", "layout.alignment"),
             ("tm.threads=0", "tm.threads"),
             ("tm.threads=65", "tm.threads"),
             ("tm.load_words=3", "tm.load_words"),

@@ -18,7 +18,8 @@ pub(super) fn parse(
     if settings.is_empty() {
         return Ok(machine);
     }
-    let mut table: Table = toml::from_str(text).map_err(invalid)?;
+    // Of what was read, so that keys that the file leaves out have their section.
+    let mut table = Table::try_from(&machine).expect("every field has a TOML form");
     for setting in settings {
         apply(&mut table, setting)?;
         let refused = |error: toml::de::Error| DescriptionError::Setting {

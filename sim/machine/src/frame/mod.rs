@@ -7,6 +7,7 @@
 mod checker;
 mod layout;
 mod operations;
+mod placement;
 mod structure;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,7 @@ mod totals;
 pub use checker::Checker;
 pub use layout::Layout;
 pub use operations::Operations;
+pub use placement::node_bytes;
 pub use structure::{FrameMachine, Kernel, MachineStructure};
 pub use totals::Totals;
 
@@ -177,6 +179,11 @@ impl<'a, S: Special> FrameWork<'a, S> {
                 scene_box = narrow.scene_box();
                 Memory { root_box: &scene_box, ..narrow.structure.memory() }
             }
+        };
+        let placed = placement::place(kind, &memory, machine.description.layout)?;
+        let memory = match &placed {
+            Some(placed) => Memory { root: placed.root, words: &placed.words, ..memory },
+            None => memory,
         };
         let pixels = options.width * options.height;
         let renderer =

@@ -14,7 +14,7 @@ use estimate::Method;
 use golden::build::Quality;
 use golden::structure::{Structure, StructureKind};
 use jobs::{Job, Preset};
-use machine::frame::{FrameMachine, frame};
+use machine::frame::{FrameMachine, frame, node_bytes};
 use machine::results::Results;
 use rayon::prelude::*;
 use render::RenderOptions;
@@ -190,7 +190,7 @@ fn simulate_one(
             tms: set_up.description.chip.tms(),
             series: job.series,
             load_words: job.load_words,
-            node_bytes: structure.node_bytes(),
+            node_bytes: node_bytes(structure, set_up.description.layout)?.0,
             fingerprint,
         },
         &options,

@@ -66,7 +66,7 @@ pub(super) struct Run<'a> {
     pub tms: u32,
     pub series: Series,
     pub load_words: &'a str,
-    pub node_bytes: usize,
+    pub node_bytes: u64,
     pub fingerprint: &'a str,
 }
 
@@ -84,7 +84,7 @@ impl Row {
             tms: run.tms,
             series: run.series,
             load_words: run.load_words.to_owned(),
-            node_bytes: run.node_bytes as u64,
+            node_bytes: run.node_bytes,
             rays: frame.rays,
             cycles: results.cycles.into(),
             frame_ms: results.frame_ms,
@@ -126,7 +126,7 @@ pub(super) fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, p
         "{version} {seed} {detail} {width}x{height} {quality:?}\n{}\n{:?}\n{}",
         machine.description.to_toml(),
         machine.pipeline,
-        machine.structure.listing()
+        machine.structure.listing(machine.description.layout)
     );
     // FNV-1a, 64 bits.
     let hash = everything
