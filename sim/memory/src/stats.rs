@@ -15,6 +15,8 @@ pub struct CacheCounts {
     pub stores: u64,
     /// Tries that were refused as the bank was taken.
     pub bank_conflicts: u64,
+    /// Tries to load that were refused as no miss register was free.
+    pub register_conflicts: u64,
 }
 
 impl CacheCounts {
@@ -25,6 +27,7 @@ impl CacheCounts {
         self.joined += other.joined;
         self.stores += other.stores;
         self.bank_conflicts += other.bank_conflicts;
+        self.register_conflicts += other.register_conflicts;
     }
 
     /// All of `counts` together.

@@ -11,7 +11,7 @@ pub struct ThreadCycles {
     pub data: u64,
     /// The execution unit was taken.
     pub units: u64,
-    /// A cache bank was taken or a memory queue full.
+    /// A cache bank or all miss registers were taken, or a memory queue was full.
     pub memory: u64,
     /// The instruction cache bank was taken.
     pub fetch: u64,

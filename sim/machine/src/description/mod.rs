@@ -8,7 +8,7 @@ pub(crate) mod check;
 mod settings;
 
 pub use check::DescriptionError;
-pub use memory::description::{BankBy, Bytes, Cache, Dram, DramPower, DramTiming, Mapping};
+pub use memory::description::{BankBy, Bytes, Cache, Dram, DramPower, DramTiming, Mapping, Network};
 
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -40,6 +40,9 @@ pub struct MachineDescription {
     pub units: Units,
     /// Its data cache.
     pub l1: Cache,
+    /// Between the data caches and the cache of their partition; without latency where the key is missing.
+    #[serde(default)]
+    pub network: Network,
     /// The cache of a partition.
     pub l2: Cache,
     /// The memory that all share.
@@ -234,6 +237,7 @@ impl MachineDescription {
             partitions: self.chip.l2_partitions,
             ports_per_partition: self.chip.tms_per_partition,
             l1: self.l1,
+            network: self.network,
             l2: self.l2,
             dram: self.dram,
         }
@@ -288,9 +292,9 @@ mod tests {
     #[test]
     fn keys_that_a_file_leaves_out_can_be_set() {
         let mut table: toml::Table = toml::from_str(PRESETS[0].1).unwrap();
-        assert!(table.remove("layout").is_some());
+        assert!(table.remove("layout").is_some() && table.remove("network").is_some());
         let text = toml::to_string(&table).unwrap();
-        let settings = ["layout.alignment=64B"].map(str::to_owned);
+        let settings = ["layout.alignment=64B", "network.latency_cycles=3"].map(str::to_owned);
         let trax = MachineDescription::load("trax", &settings).unwrap();
         assert_eq!(settings::parse("old.toml", &text, &settings).unwrap(), trax);
         assert_eq!(
@@ -312,6 +316,8 @@ mod tests {
             ("l1.size=64KB", "size"),
             ("layout.alignment=48B", "layout.alignment"),
             ("layout.alignment=512B", "layout.alignment"),
+            ("l2.miss_registers=-1", "l2.miss_registers"),
+            ("network.latency_cycles=201", "network.latency_cycles"),
             ("tm.threads=0", "tm.threads"),
             ("tm.threads=65", "tm.threads"),
             ("tm.load_words=3", "tm.load_words"),

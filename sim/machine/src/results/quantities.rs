@@ -102,6 +102,12 @@ impl Results {
                 "",
                 "tries refused as the bank was taken",
             );
+            add(
+                &key("register_conflicts"),
+                counts.register_conflicts as f64,
+                "",
+                "tries to load refused as all miss registers were taken",
+            );
             add(&format!("caches.{name}_hit_pct"), rate, "% of loads", "loads that found their line");
         }
         let d = &self.dram.counts;

@@ -7,6 +7,9 @@ use serde::{Deserialize, Serialize};
 /// Most banks of a cache.
 pub const MAX_BANKS: u32 = 64;
 
+/// Most registers for lines on their way to a cache.
+const MAX_MISS_REGISTERS: u32 = 1 << 16;
+
 /// A data cache. Stores go around it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -26,6 +29,9 @@ pub struct Cache {
     pub associativity: u32,
     /// Cycles until a hit can be used.
     pub latency_cycles: u32,
+    /// Lines that may be on their way to it at a time; any number where it is 0 or the key is missing.
+    #[serde(default)]
+    pub miss_registers: u32,
     /// Area in mm2, where the published table has no cache of this size.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub area_mm2: Option<f64>,
@@ -75,6 +81,7 @@ impl Cache {
         power_of_two(&key("banks"), self.banks, MAX_BANKS)?;
         power_of_two(&key("associativity"), self.associativity, self.lines())?;
         within(&key("latency_cycles"), self.latency_cycles, 1, MAX_LATENCY)?;
+        within(&key("miss_registers"), self.miss_registers, 0, MAX_MISS_REGISTERS)?;
         for (name, value) in [("area_mm2", self.area_mm2), ("energy_nj", self.energy_nj)] {
             if let Some(value) = value.filter(|value| !(value.is_finite() && *value >= 0.0)) {
                 return Err(OutOfRange::new(key(name), value, "finite, at least 0"));

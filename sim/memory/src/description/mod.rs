@@ -3,10 +3,12 @@
 mod cache;
 pub mod check;
 mod dram;
+mod network;
 mod size;
 
 pub use cache::{BankBy, Cache, MAX_BANKS};
 pub use dram::{Dram, DramPower, DramTiming, Mapping};
+pub use network::Network;
 pub use size::Bytes;
 
 use check::OutOfRange;
@@ -20,6 +22,8 @@ pub struct Description {
     pub ports_per_partition: u32,
     /// The first-level caches.
     pub l1: Cache,
+    /// Between the first- and the second-level caches.
+    pub network: Network,
     /// The second-level caches.
     pub l2: Cache,
     /// The DRAM that all share.
@@ -32,8 +36,9 @@ impl Description {
     /// # Errors
     /// The first key that is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
-        let Self { l1, l2, dram, .. } = self;
+        let Self { l1, network, l2, dram, .. } = self;
         l1.check("l1")?;
+        network.check()?;
         l2.check("l2")?;
         if l1.line != l2.line {
             return Err(OutOfRange::new("l2.line", l2.line, format!("equal to l1.line, {}", l1.line)));
@@ -59,7 +64,14 @@ pub(crate) mod tests {
     }
 
     fn description() -> Description {
-        Description { partitions: 1, ports_per_partition: 1, l1: cache(), l2: cache(), dram: dram() }
+        Description {
+            partitions: 1,
+            ports_per_partition: 1,
+            l1: cache(),
+            network: Network::default(),
+            l2: cache(),
+            dram: dram(),
+        }
     }
 
     #[test]
@@ -71,6 +83,9 @@ pub(crate) mod tests {
             description.check().unwrap_err().to_string()
         };
         assert_eq!(error(|d| d.l1.banks = 3), "l1.banks = 3: a power of two from 1 to 64");
+        let message = "l2.miss_registers = 65537: from 0 to 65536";
+        assert_eq!(error(|d| d.l2.miss_registers = 65_537), message);
+        assert_eq!(error(|d| d.network.latency_cycles = 201), "network.latency_cycles = 201: from 0 to 200");
         assert_eq!(error(|d| d.l2.line = Bytes(32)), "l2.line = 32B: equal to l1.line, 64B");
         assert_eq!(error(|d| d.dram.write_drain_high = 90), "dram.write_drain_high = 90: from 1 to 80");
         assert_eq!(error(|d| d.dram.power.vdd_v = -1.0), "dram.power.vdd_v = -1: finite, at least 0");

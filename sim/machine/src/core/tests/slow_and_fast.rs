@@ -82,6 +82,9 @@ impl Choices {
             format!("l1.banks={}", self.one_of(&[1, 2, 8])),
             format!("l1.bank_by={}", self.one_of(&["word", "word", "line"])),
             format!("l1.latency_cycles={}", self.one_of(&[1, 1, 3])),
+            format!("l1.miss_registers={}", self.one_of(&[0, 0, 1, 3])),
+            format!("network.latency_cycles={}", self.one_of(&[0, 0, 1, 9])),
+            format!("l2.miss_registers={}", self.one_of(&[0, 0, 1, 4])),
             format!("l2.enabled={}", self.one_of(&[true, true, true, false])),
             format!("l2.size={}", self.one_of(&[1024, 4096, 65536])),
             format!("l2.associativity={}", self.one_of(&[1, 2, 8])),
@@ -109,7 +112,7 @@ impl Choices {
 
 #[test]
 fn the_core_counts_what_the_slow_model_counts() {
-    let mut sums = [0; 8];
+    let mut sums = [0; 10];
     for seed in 0..150 {
         let mut choices = Choices(split_mix::hash(seed));
         let settings = choices.settings();
@@ -137,6 +140,8 @@ fn the_core_counts_what_the_slow_model_counts() {
             fast.l2.bank_conflicts,
             fast.dram.refused,
             fast.l1.stores,
+            fast.l1.register_conflicts,
+            fast.l2.register_conflicts,
         ];
         sums.iter_mut().zip(seen).for_each(|(sum, seen)| *sum += seen);
     }

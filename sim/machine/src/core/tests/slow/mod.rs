@@ -94,6 +94,8 @@ struct Slow<'a, W> {
     work: &'a W,
     tms: Vec<Tm>,
     l2s: Vec<Lines>,
+    /// By partition, lines that were asked of the memory, with their arrival.
+    asked_by_l2: Vec<HashMap<u32, u32>>,
     dram: Dram,
     taken: HashMap<(Resource, u32), u32>,
     next_item: u32,
@@ -124,6 +126,7 @@ pub fn simulate<W: Work>(machine: &MachineDescription, program: &Program, work: 
             })
             .collect(),
         l2s: (0..machine.chip.l2_partitions).map(|_| Lines::new(&machine.l2)).collect(),
+        asked_by_l2: vec![HashMap::new(); machine.chip.l2_partitions as usize],
         dram: Dram::new(&machine.dram),
         taken: HashMap::new(),
         next_item: 0,
@@ -180,8 +183,8 @@ impl<W: Work> Slow<'_, W> {
         self.dram.announce(start, |arrival| arrivals.push(arrival));
         for arrival in arrivals {
             let tm = usize::from(arrival.requester.port);
-            self.l2s[self.tms[tm].partition].arrivals.push((arrival.cycle, arrival.line));
-            self.arrives(tm, arrival.line, arrival.cycle);
+            self.l2_arrives(self.tms[tm].partition, arrival.line, arrival.cycle);
+            self.arrives(tm, arrival.line, arrival.cycle + 2 * self.machine.network.latency_cycles);
         }
         for l2 in &mut self.l2s {
             l2.fill(start, self.turn, &mut self.events);
