@@ -5,7 +5,7 @@ use crate::fidelity::{FidelityError, Interval, Level, Sample, Subject};
 use crate::input::{Built, SceneSource, check_writable};
 use crate::kernel::Program;
 use crate::progress::{Part, Progress};
-use anyhow::ensure;
+use anyhow::{bail, ensure};
 use base::output::write_file;
 use estimate::Method;
 use golden::Mode;
@@ -13,7 +13,7 @@ use golden::build::Quality;
 use machine::core::Counts;
 use machine::description::MachineDescription;
 use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals, node_bytes};
-use machine::reference::{ReferenceRuns, ValidatedRun};
+use machine::reference::{ReferenceRun, ReferenceRuns, TABLE, ValidatedRun};
 use machine::results::{Quantity, Results};
 use rayon::prelude::*;
 use render::{RenderOptions, Test};
@@ -320,24 +320,69 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
 /// Our results for the reference runs, beside the published ones.
 #[derive(Debug, Serialize)]
 pub struct Validation {
-    /// All runs.
+    /// All runs whose files the folder has.
     pub runs: Vec<ValidatedRun>,
+    /// The others.
+    pub absent: Vec<AbsentRun>,
 }
 
-/// Repeats the reference runs of a folder on our machine, each on one thread.
+/// A run of the table that cannot be made.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct AbsentRun {
+    pub set: String,
+    pub variant: String,
+    pub tms: u32,
+    /// What the folder lacks.
+    pub reason: String,
+}
+
+/// Which rows of the table of reference runs are meant, as `SET`, `SET/VARIANT` or `SET/VARIANT/TMS`.
+fn is_meant(row: &str, run: &ReferenceRun) -> bool {
+    let tms = run.tms.to_string();
+    let mut parts = [run.set.as_str(), &run.variant, &tms].into_iter();
+    row.split('/').all(|asked| parts.next() == Some(asked))
+}
+
+/// Repeats the reference runs of a folder on our machine, each on one thread: those of `rows` (`SET`, `SET/VARIANT` or
+/// `SET/VARIANT/TMS`), or all if it is empty.
 ///
 /// # Errors
-/// The folder cannot be read, or a run fails.
-pub fn validate(folder: &Path, progress: &dyn Progress) -> anyhow::Result<Validation> {
+/// The folder cannot be read or has nothing to run, there is no such row, or a run fails.
+pub fn validate(folder: &Path, rows: &[String], progress: &dyn Progress) -> anyhow::Result<Validation> {
     let reference = ReferenceRuns::read(folder)?;
-    let part = Part::begin(progress, reference.runs.len() as u64, "validating");
-    let one = |run| {
+    for row in rows {
+        ensure!(
+            reference.runs.iter().any(|run| is_meant(row, run)),
+            "--row {row}: {} has no such row; write SET, SET/VARIANT or SET/VARIANT/TMS as its columns have them",
+            folder.join(TABLE).display()
+        );
+    }
+    let meant = |run: &&ReferenceRun| rows.is_empty() || rows.iter().any(|row| is_meant(row, run));
+    let (mut present, mut absent) = (vec![], vec![]);
+    for run in reference.runs.iter().filter(meant) {
+        match reference.lacks(run) {
+            None => present.push(run),
+            Some(reason) => absent.push(AbsentRun {
+                set: run.set.clone(),
+                variant: run.variant.clone(),
+                tms: run.tms,
+                reason,
+            }),
+        }
+    }
+    if present.is_empty() {
+        let reason = absent.first().map_or("its table has no row", |absent| &absent.reason);
+        bail!("{}: there is nothing to validate: {reason}", folder.display());
+    }
+    let part = Part::begin(progress, present.len() as u64, "validating");
+    let one = |run: &&ReferenceRun| {
         // Within a pool of one thread, the simulation of a large machine stays on one thread.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
         let validated = pool.install(|| reference.validate(run))?;
         part.advance(1);
         Ok(validated)
     };
-    let runs: Vec<ValidatedRun> = reference.runs.par_iter().map(one).collect::<anyhow::Result<_>>()?;
-    Ok(Validation { runs })
+    let runs: Vec<ValidatedRun> = present.par_iter().map(one).collect::<anyhow::Result<_>>()?;
+    Ok(Validation { runs, absent })
 }

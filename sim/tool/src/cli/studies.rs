@@ -182,6 +182,9 @@ pub struct SimulateArgs {
     /// quantity is not within its tolerance.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
     pub validate: Option<PathBuf>,
+    /// Only the runs of a set of rays, of one of its variants, or with so many multiprocessors; may be repeated.
+    #[arg(long, value_name = "SET[/VARIANT[/TMS]]", conflicts_with_all = ["scene", "dump_config", "dump_kernels"])]
+    pub row: Vec<String>,
     /// Print the machine as a TOML file.
     #[arg(long)]
     pub dump_config: bool,

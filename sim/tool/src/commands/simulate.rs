@@ -18,7 +18,7 @@ struct Dumped {
 
 pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     if let Some(folder) = &args.validate {
-        return validate::run(folder);
+        return validate::run(folder, &args.row);
     }
     if let Some(folder) = &args.dump_kernels {
         let dumped = Dumped { files: kernel::dump(folder, global.force)? };
