@@ -54,6 +54,23 @@ fn items_that_take_too_much_memory_are_refused() {
     assert!(simulated(1 << 10).is_ok());
 }
 
+/// A row that cannot be opened between two refreshes is never read. The check of descriptions refuses such a DRAM.
+#[test]
+fn a_machine_in_which_nothing_moves_stops_with_its_state() {
+    let mut machine = machine(&["tm.threads=1"]);
+    let timing = &mut machine.dram.timing;
+    (timing.refresh, timing.refresh_interval) = (28, 40);
+    let program = Program::new("test", &listing("LOAD $3, $4, 0\naddu $5, $3, $3"), &machine, 8).unwrap();
+    let work = Walk { program: &program, items: 1, decide: |_, _| (false, 64) };
+    match simulate(&machine, &program, &work, |_| {}) {
+        Err(SimulationError::Stuck { waiting, reads, refreshes, .. }) => {
+            assert_eq!((waiting, reads), (machine.chip.tms(), 0));
+            assert!(refreshes > 1000);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
 #[test]
 fn results_are_used_when_they_are_ready_and_not_a_cycle_before() {
     // Independent: one a cycle. Dependent: one each latency; the last result is not waited for.

@@ -19,6 +19,9 @@ pub const PRESETS: [(&str, &str); 2] = [
     ("simtrax-reference", include_str!("../../presets/simtrax-reference.toml")),
 ];
 
+/// Most bytes of a description.
+const MOST_BYTES: u64 = 1 << 20;
+
 /// Everything about a machine that can be chosen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -73,7 +76,7 @@ pub struct Tm {
 
 /// Words that one load brings, if they are adjacent and in one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "expected 1, 2, 4 or \"line\"")]
 pub enum LoadWords {
     /// At most this many: 1, 2 or 4, naturally aligned.
     Words(u32),
@@ -174,17 +177,19 @@ impl MachineDescription {
     ///
     /// # Errors
     /// See [`DescriptionError`].
-    pub fn load(name_or_file: &str, settings: &[String]) -> Result<Self, DescriptionError> {
-        let (source, text) = match PRESETS.iter().find(|(name, _)| *name == name_or_file) {
+    pub fn load(name_or_file: impl AsRef<Path>, settings: &[String]) -> Result<Self, DescriptionError> {
+        let name_or_file = name_or_file.as_ref();
+        let preset = PRESETS.iter().find(|(name, _)| Path::new(name) == name_or_file);
+        let (source, text) = match preset {
             Some((name, text)) => (format!("preset {name}"), (*text).to_owned()),
             None => {
-                let read = std::fs::read_to_string(Path::new(name_or_file));
+                let read = base::input::read_text(name_or_file, MOST_BYTES);
                 let text = read.map_err(|error| DescriptionError::Read {
-                    file: name_or_file.to_owned(),
+                    file: name_or_file.display().to_string(),
                     presets: PRESETS.map(|(name, _)| name).join(", "),
                     error,
                 })?;
-                (name_or_file.to_owned(), text)
+                (name_or_file.display().to_string(), text)
             }
         };
         let machine = settings::parse(&source, &text, settings)?;
@@ -265,6 +270,10 @@ mod tests {
             ("l1.banks=0", "l1.banks"),
             ("l1.banks=3", "l1.banks"),
             ("l1.bank_by=row", "variant `row`, expected `word` or `line`"),
+            ("l1.bank_by=3", "expected `word` or `line`"),
+            ("dram.mapping=3", "expected `column-channel-bank-row` or"),
+            ("tm.load_words=2.5", "1, 2, 4 or \"line\""),
+            ("clock_ghz=1e-308", "from 0.001 to 100"),
             ("l1.sizes=64KiB", "sizes"),
             ("l3.size=64KiB", "l3"),
             ("l1.size=48KiB", "l1.size"),

@@ -192,6 +192,10 @@ impl ReferenceRuns {
     /// If a table is missing or malformed.
     pub fn read(folder: &Path) -> Result<Self, ValidationError> {
         let runs: Vec<ReferenceRun> = table(&folder.join("reference_runs.csv"))?;
+        if runs.is_empty() {
+            let file = folder.join("reference_runs.csv");
+            return Err(ValidationError::Run { file, message: "the table has no run to repeat".to_owned() });
+        }
         let addresses = table(&folder.join("counts.csv"))?;
         Ok(Self { folder: folder.to_owned(), runs, addresses })
     }

@@ -1,8 +1,9 @@
 //! A cache: how large it is, how its banks are chosen, how long it takes.
 
 use super::Bytes;
-use super::check::{MAX_LATENCY, OutOfRange, power_of_two, within};
-use serde::{Deserialize, Serialize};
+use super::check::{MAX_LATENCY, OutOfRange, amount, power_of_two, within};
+use super::words::one_of;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Most banks of a cache.
 pub const MAX_BANKS: u32 = 64;
@@ -35,7 +36,7 @@ pub struct Cache {
 }
 
 /// What selects a bank, modulo the number of banks.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum BankBy {
     /// The address in words: adjacent words are in different banks.
@@ -43,6 +44,12 @@ pub enum BankBy {
     Word,
     /// The number of the line: a line is in one bank.
     Line,
+}
+
+impl<'de> Deserialize<'de> for BankBy {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        one_of(deserializer, &[("word", Self::Word), ("line", Self::Line)])
+    }
 }
 
 impl Cache {
@@ -76,8 +83,8 @@ impl Cache {
         power_of_two(&key("associativity"), self.associativity, self.lines())?;
         within(&key("latency_cycles"), self.latency_cycles, 1, MAX_LATENCY)?;
         for (name, value) in [("area_mm2", self.area_mm2), ("energy_nj", self.energy_nj)] {
-            if let Some(value) = value.filter(|value| !(value.is_finite() && *value >= 0.0)) {
-                return Err(OutOfRange::new(key(name), value, "finite, at least 0"));
+            if let Some(value) = value {
+                amount(&key(name), value)?;
             }
         }
         Ok(())

@@ -4,6 +4,7 @@ mod cache;
 pub mod check;
 mod dram;
 mod size;
+mod words;
 
 pub use cache::{BankBy, Cache, MAX_BANKS};
 pub use dram::{Dram, DramPower, DramTiming, Mapping};
@@ -73,7 +74,9 @@ pub(crate) mod tests {
         assert_eq!(error(|d| d.l1.banks = 3), "l1.banks = 3: a power of two from 1 to 64");
         assert_eq!(error(|d| d.l2.line = Bytes(32)), "l2.line = 32B: equal to l1.line, 64B");
         assert_eq!(error(|d| d.dram.write_drain_high = 90), "dram.write_drain_high = 90: from 1 to 80");
-        assert_eq!(error(|d| d.dram.power.vdd_v = -1.0), "dram.power.vdd_v = -1: finite, at least 0");
+        assert_eq!(error(|d| d.dram.power.vdd_v = -1.0), "dram.power.vdd_v = -1: from 0 to 1000000");
+        let refresh = error(|d| (d.dram.timing.refresh, d.dram.timing.refresh_interval) = (28, 56));
+        assert!(refresh.starts_with("dram.timing.refresh_interval = 56: from"), "{refresh}");
         let rows = error(|d| d.dram.rows = 1 << 20);
         assert!(rows.starts_with("dram.rows = 1048576: at most 2^34 bytes"), "{rows}");
     }
@@ -85,5 +88,7 @@ pub(crate) mod tests {
         assert!(text.contains("bank_by = \"line\""), "{text}");
         assert_eq!(toml::from_str::<Cache>(&text).unwrap().bank_by, BankBy::Line);
         assert!(toml::from_str::<Cache>(&text.replace("\"line\"", "\"row\"")).is_err());
+        let number = toml::from_str::<Cache>(&text.replace("\"line\"", "3")).unwrap_err();
+        assert!(number.message().contains("expected `word` or `line`"), "{number}");
     }
 }
