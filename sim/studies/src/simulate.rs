@@ -2,7 +2,7 @@
 
 use crate::fidelity::auto::{FEWEST_BATCHES, Step, auto};
 use crate::fidelity::{FidelityError, Interval, Level, Sample, Subject};
-use crate::input::{Built, SceneSource, check_writable};
+use crate::input::{Built, SceneSource, check_outputs};
 use crate::kernel::Program;
 use crate::progress::{Part, Progress};
 use anyhow::ensure;
@@ -212,9 +212,11 @@ impl StepRow {
 /// # Errors
 /// The options contradict each other, the scene cannot be loaded, the simulation fails, or the file cannot be written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation> {
-    if let Some(csv) = &args.csv {
-        check_writable("--csv", csv, args.force)?;
-    }
+    check_outputs(
+        &[("--csv", args.csv.as_deref())],
+        &[args.scene.path(), args.kernel.as_deref()],
+        args.force,
+    )?;
     let machine = &args.machine;
     ensure!(
         args.fidelity == Fidelity::Auto || args.tolerance.is_none(),

@@ -89,6 +89,7 @@ pub struct Needs {
     pub exponent_sweep: Vec<PrecisionPoint>,
     pub carve_visits: [u64; golden::dst::MAX_CARVES],
     pub miss_curve: Vec<CachePoint>,
+    #[serde(skip)]
     pub artifacts: Vec<String>,
 }
 

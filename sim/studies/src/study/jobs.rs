@@ -5,6 +5,7 @@ use machine::description::MachineDescription;
 use machine::frame::MachineStructure;
 use render::Test;
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// The size of a study.
 pub struct Preset {
@@ -101,7 +102,7 @@ impl Job {
     }
 
     /// The machine of this simulation: that of the command line, with the settings that the study varies.
-    pub fn machine(&self, name: &str, settings: &[String]) -> anyhow::Result<MachineDescription> {
+    pub fn machine(&self, name: &Path, settings: &[String]) -> anyhow::Result<MachineDescription> {
         let mut settings = settings.to_vec();
         settings.push(format!("chip.l2_partitions={}", self.chip[0]));
         settings.push(format!("chip.tms_per_partition={}", self.chip[1]));

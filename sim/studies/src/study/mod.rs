@@ -4,11 +4,13 @@ pub mod comparison;
 mod jobs;
 mod plots;
 pub mod row;
+mod settings;
 
 use crate::artifacts::Artifacts;
 use crate::input::{Built, display};
 use crate::progress::{Part, Progress};
-use anyhow::{Context, bail};
+use anyhow::bail;
+use base::input::read_text;
 use comparison::{Claim, compare};
 use estimate::Method;
 use golden::build::Quality;
@@ -21,6 +23,7 @@ use render::RenderOptions;
 use row::Row;
 use scenes::Scene;
 use serde::Serialize;
+use settings::Settings;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,7 +40,7 @@ pub struct Options {
     /// How the trees are built.
     pub quality: Quality,
     /// A preset machine or a TOML file.
-    pub machine: String,
+    pub machine: PathBuf,
     /// Changed keys of the machine.
     pub settings: Vec<String>,
     /// How area and energy of the pipelines are found.
@@ -59,6 +62,7 @@ pub struct Study {
     pub scaling: Vec<Row>,
     pub load_width: Vec<Row>,
     pub comparison: Vec<Claim>,
+    #[serde(skip)]
     pub artifacts: Vec<String>,
 }
 
@@ -77,7 +81,14 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
         None => names,
     };
     let mut artifacts = Artifacts::create(&args.out, args.force)?;
-    let mut runs = finished(&args.out)?;
+    let settings = Settings::of(args)?;
+    settings.compare(args)?;
+    artifacts.write(settings::FILE, serde_json::to_string_pretty(&settings)?.as_bytes())?;
+    progress.note(&format!(
+        "finished runs are kept in {}; after an interruption the same command continues there",
+        args.out.display()
+    ));
+    let mut runs = finished(&args.out);
     for scene in chosen {
         simulate_scene(scene, preset, args, progress, &mut runs, &mut artifacts)?;
     }
@@ -101,22 +112,16 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
     Ok(study)
 }
 
-/// The runs that an earlier study left in `folder`.
-fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
-    let mut runs = BTreeMap::new();
-    let Ok(entries) = fs::read_dir(folder.join("runs")) else {
-        return Ok(runs);
+/// The runs that an earlier study left in `folder`. What is no run, or one of an older version, is left out.
+fn finished(folder: &Path) -> BTreeMap<String, Row> {
+    let entries = fs::read_dir(folder.join("runs")).into_iter().flatten().flatten();
+    let run = |entry: fs::DirEntry| {
+        let name = format!("runs/{}", entry.file_name().to_str()?);
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        let text = is_file.then(|| read_text(&entry.path(), row::MOST_BYTES).ok()).flatten()?;
+        Some((name, serde_json::from_str(&text).ok()?))
     };
-    for entry in entries {
-        let entry = entry?;
-        let name = format!("runs/{}", entry.file_name().to_string_lossy());
-        let text = fs::read_to_string(entry.path()).with_context(|| display(&entry.path()))?;
-        // A file of an older version does not parse, and its run is simulated again.
-        if let Ok(row) = serde_json::from_str(&text) {
-            runs.insert(name, row);
-        }
-    }
-    Ok(runs)
+    entries.filter_map(run).collect()
 }
 
 fn simulate_scene(

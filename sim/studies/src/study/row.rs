@@ -118,9 +118,13 @@ impl Row {
     }
 }
 
-/// A hash of everything that a run depends on except its scene and test: scene size, tree quality, machine, pipeline, program.
+/// Most bytes of the file of a run.
+pub(super) const MOST_BYTES: u64 = 1 << 20;
+
+/// A hash of everything that a run depends on except its scene and test: the sources of this program, scene size, tree quality,
+/// machine, pipeline, the machine's program.
 pub(super) fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
-    let version = env!("CARGO_PKG_VERSION");
+    let version = env!("DUALSPLIT_SOURCES");
     let Preset { detail, width, height, .. } = preset;
     let everything = format!(
         "{version} {seed} {detail} {width}x{height} {quality:?}\n{}\n{:?}\n{}",

@@ -12,13 +12,13 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
         quality: args.quality.quality,
         machine: args.machine.machine.clone(),
         settings: args.machine.settings.clone(),
-        pipeline_cost: args.machine.pipeline_cost.method(),
+        pipeline_cost: args.cost.pipeline_cost.method(),
         out: args.out.clone(),
         seed: global.seed,
         force: global.force,
     };
     let study = study::run(&options, &Bars::default())?;
-    Ok(Report::new(&study, tables(&study)))
+    Ok(Report::new(&study, tables(&study), study.artifacts.clone()))
 }
 
 /// All results of a study as tables.

@@ -42,7 +42,7 @@ pub fn run(folder: &Path) -> anyhow::Result<Report> {
     });
     let text = table(header, rows);
     let difference = validation.runs.iter().any(|run| !run.within);
-    let mut report = Report::new(&validation, text);
+    let mut report = Report::new(&validation, text, vec![]);
     report.difference = difference;
     Ok(report)
 }

@@ -71,7 +71,7 @@ fn trees() -> Vec<Command> {
         Command::new("scenes-export-xz", "scenes hairball --detail 0.001 --seed 3 --export hairball.obj.xz"),
         Command::new("scenes-export-ply", "scenes hairball --detail 0.001 --seed 3 --export hairball.ply"),
         Command::new("scenes-export-stl", "scenes hairball --detail 0.001 --seed 3 --export hairball.stl.gz"),
-        Command::new("tree-fast", "tree courtyard --detail 0.01 --quality fast"),
+        Command::new("tree-fast", "tree courtyard --detail 0.01 --quality fast --scratch"),
         Command::new("tree-medium", format!("tree {OTHER} --save atrium.tree")),
         Command::new("tree-high", "tree statue.obj --save scratch.tree --structure dst_scratch")
             .after(&["scenes-export"]),
