@@ -18,7 +18,8 @@ use crate::structure::{Memory, Structure, StructureKind};
 use crate::triangle::Triangle;
 use base::output::{WriteError, write_file};
 use std::error::Error;
-use std::io;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -111,8 +112,36 @@ pub fn save(structure: &Structure, path: &Path, force: bool) -> Result<(), Write
 /// # Errors
 /// [`TreeFileError`], naming the file.
 pub fn load(path: &Path) -> Result<Structure, TreeFileError> {
-    let bytes = std::fs::read(path).map_err(|source| TreeFileError::Io { path: path.to_owned(), source })?;
-    from_bytes(&bytes).map_err(|reason| TreeFileError::Damaged { path: path.to_owned(), reason })
+    let io = |source| TreeFileError::Io { path: path.to_owned(), source };
+    let damaged = |reason| TreeFileError::Damaged { path: path.to_owned(), reason };
+    let mut file = File::open(path).map_err(io)?;
+    let mut bytes = vec![];
+    file.by_ref().take(HEADER_BYTES as u64).read_to_end(&mut bytes).map_err(io)?;
+    // What follows the header is read as far as the header says, and a byte more to notice what should not be there.
+    let rest = expected_bytes(&bytes).map_err(damaged)? - bytes.len() as u128;
+    file.take(u64::try_from(rest).unwrap_or(u64::MAX).saturating_add(1))
+        .read_to_end(&mut bytes)
+        .map_err(io)?;
+    from_bytes(&bytes).map_err(damaged)
+}
+
+/// The bytes of the file that begins with `bytes`, as its header says.
+fn expected_bytes(bytes: &[u8]) -> Result<u128, Damage> {
+    if bytes.len() < HEADER_BYTES || &bytes[..MAGIC.len()] != MAGIC {
+        return Err(Damage::Magic);
+    }
+    if &bytes[MAGIC.len()..8] != VERSION {
+        return Err(Damage::Version(String::from_utf8_lossy(&bytes[MAGIC.len()..8]).into_owned()));
+    }
+    let [node_words, triangles] = counts(bytes);
+    Ok((HEADER_BYTES + CHECKSUM_BYTES) as u128
+        + 4 * (u128::from(node_words) + u128::from(triangles) * u128::from(Triangle::WORDS)))
+}
+
+/// The numbers of node words and of triangles in a header.
+fn counts(header: &[u8]) -> [u64; 2] {
+    [HEADER_BYTES - 16, HEADER_BYTES - 8]
+        .map(|at| u64::from_le_bytes(header[at..at + 8].try_into().expect("eight bytes")))
 }
 
 /// The contents of the file of `structure`.
@@ -141,18 +170,8 @@ pub fn to_bytes(structure: &Structure) -> Vec<u8> {
 /// # Errors
 /// [`Damage`].
 pub fn from_bytes(bytes: &[u8]) -> Result<Structure, Damage> {
-    if bytes.len() < HEADER_BYTES + CHECKSUM_BYTES || &bytes[..MAGIC.len()] != MAGIC {
-        return Err(Damage::Magic);
-    }
-    if &bytes[MAGIC.len()..8] != VERSION {
-        return Err(Damage::Version(String::from_utf8_lossy(&bytes[MAGIC.len()..8]).into_owned()));
-    }
+    let expected = expected_bytes(bytes)?;
     let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes"));
-    let count =
-        |at: usize| u128::from(u64::from_le_bytes(bytes[at..at + 8].try_into().expect("eight bytes")));
-    let (node_words, triangles) = (count(HEADER_BYTES - 16), count(HEADER_BYTES - 8));
-    let payload = 4 * (node_words + triangles * u128::from(Triangle::WORDS));
-    let expected = (HEADER_BYTES + CHECKSUM_BYTES) as u128 + payload;
     if bytes.len() as u128 != expected {
         return Err(Damage::Length { found: bytes.len(), expected });
     }
@@ -165,7 +184,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Structure, Damage> {
     let (code, root) = (word(8), word(12));
     let side = |at: usize| std::array::from_fn(|k| f32::from_bits(word(at + 4 * k)));
     let root_box = Aabb { min: side(16), max: side(28) };
-    let nodes_end = HEADER_BYTES + 4 * node_words as usize;
+    let nodes_end = HEADER_BYTES + 4 * counts(bytes)[0] as usize;
     let words: Vec<u32> = (HEADER_BYTES..nodes_end).step_by(4).map(word).collect();
     let triangle_words: Vec<u32> = (nodes_end..bytes.len() - CHECKSUM_BYTES).step_by(4).map(word).collect();
     let triangles: Arc<[Triangle]> = bytemuck::cast_slice(&triangle_words).into();

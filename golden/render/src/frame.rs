@@ -2,7 +2,9 @@
 
 use super::camera::CameraRays;
 use super::shading::power_of_two;
-use super::{MAX_LIGHT_COORDINATE, MAX_PIXELS, MAX_SAMPLES, MAX_SIDE, RenderError, RenderOptions};
+use super::{
+    MAX_LIGHT_COORDINATE, MAX_PIXELS, MAX_SAMPLES, MAX_SIDE, MOST_KEPT_RAYS, RenderError, RenderOptions,
+};
 use scenes::{Mesh, PointLight, Scene};
 
 /// The parameters of the shading of a picture, as [`shading`](crate::shading) uses them.
@@ -48,7 +50,7 @@ fn check(scene: &Scene, options: &RenderOptions) -> Result<(), RenderError> {
     }
     let rays_per_sample = 2 * (options.test.bounces() as u64 + 1);
     let rays = u64::from(width) * u64::from(height) * u64::from(samples) * rays_per_sample;
-    if options.keep_rays && rays > u64::from(u32::MAX) {
+    if options.keep_rays && rays > MOST_KEPT_RAYS {
         return Err(RenderError::TooManyRays(rays));
     }
     for (name, value) in [

@@ -66,6 +66,9 @@ pub const MAX_SIDE: u32 = 16_384;
 /// The greatest number of pixels, about 4 GiB of results.
 pub const MAX_PIXELS: u32 = 1 << 26;
 
+/// The most rays that are kept, 8 GiB.
+pub const MOST_KEPT_RAYS: u64 = 1 << 28;
+
 /// The greatest number of samples per pixel, the length of the sample sequence.
 pub const MAX_SAMPLES: u32 = 1 << 16;
 
@@ -166,8 +169,8 @@ pub enum RenderError {
     /// The number of samples is out of range.
     #[error("spp {0}: the number of samples per pixel must be 1 to {MAX_SAMPLES}")]
     Samples(u32),
-    /// More rays would have to be kept than a ray file can hold.
-    #[error("up to {0} rays cannot be kept, a ray file holds 2^32 - 1: lower the size or spp")]
+    /// More rays would have to be kept than memory is given to.
+    #[error("up to {0} rays cannot be kept, at most {MOST_KEPT_RAYS}: lower the size or spp")]
     TooManyRays(u64),
     /// The light or the background is not finite.
     #[error("{name} {value:?}: all three components must be finite")]

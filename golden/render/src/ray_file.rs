@@ -1,7 +1,7 @@
 //! Files of rays and of the hits that were found for them.
 //!
-//! Both formats are the project's own, and little-endian. A file may be compressed with xz: reading recognises that
-//! by the content, and writing compresses if the name ends in `.xz`.
+//! Both formats are the project's own, and little-endian. A file may be compressed with xz or gzip: reading recognises that
+//! by the content, within the limits of [`base::input`], and writing compresses by xz if the name ends in `.xz`.
 //!
 //! | rays, `DSTRAYS1` | | hits, `DSTHITS1` | |
 //! |---|---|---|---|
@@ -19,13 +19,13 @@
 mod input;
 
 use crate::{RayClass, RayStream};
+use base::input::unpacked;
 use base::output::{WriteError, write_file};
 use golden::Ray;
 use input::Input;
-use liblzma::read::XzDecoder;
 use liblzma::write::XzEncoder;
 use std::fs::File;
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 /// The triangle of a ray that misses.
@@ -34,7 +34,6 @@ pub const MISS: u32 = u32::MAX;
 const RAYS_MAGIC: &[u8; 8] = b"DSTRAYS1";
 const HITS_MAGIC: &[u8; 8] = b"DSTHITS1";
 const WAVES_MAGIC: &[u8; 8] = b"DSTWAVES";
-const XZ_MAGIC: &[u8] = b"\xfd7zXZ\0";
 /// xz preset; higher ones are several times slower for a few percent.
 const XZ_LEVEL: u32 = 1;
 
@@ -67,7 +66,7 @@ pub enum RayFileErrorKind {
     /// The file cannot be opened.
     #[error("cannot open the file ({0}); check its name and permissions")]
     Open(io::Error),
-    /// The file cannot be read on, or its xz stream is damaged.
+    /// The file cannot be read on, its compressed stream is damaged, or it unpacks to too much.
     #[error("offset {offset}: cannot read on ({source}); copy the file again")]
     Read {
         /// Where.
@@ -244,16 +243,7 @@ fn with_file<T>(
     path: &Path,
     read: impl FnOnce(&mut Input) -> Result<T, RayFileErrorKind>,
 ) -> Result<T, RayFileError> {
-    let open = || {
-        let mut start = vec![];
-        File::open(path)?.take(XZ_MAGIC.len() as u64).read_to_end(&mut start)?;
-        let file = BufReader::new(File::open(path)?);
-        Ok(if start == XZ_MAGIC {
-            Box::new(BufReader::new(XzDecoder::new_multi_decoder(file))) as Box<dyn Read>
-        } else {
-            Box::new(file)
-        })
-    };
+    let open = || unpacked(BufReader::new(File::open(path)?));
     open()
         .map_err(RayFileErrorKind::Open)
         .and_then(|source| read(&mut Input::new(source)))

@@ -3,6 +3,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`split_mix`] | random bits that are the same on every machine |
+//! | [`input`] | the bytes of files, unpacked, within limits |
 //! | [`output`] | files that appear whole or not at all |
 //!
 //! ```
@@ -20,5 +21,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod input;
 pub mod output;
 pub mod split_mix;

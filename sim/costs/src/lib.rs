@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 pub const SOURCE: &str = "published unit table of SimTRaX (65 nm, 1 GHz)";
 
 /// An execution unit of a thread multiprocessor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Deserialize, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Unit {
     /// Floating-point addition and subtraction.

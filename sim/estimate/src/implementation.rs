@@ -59,7 +59,7 @@ pub struct EnergyReport {
     pub glitch_operations: u64,
     /// Standard error of the total with glitches, as a fraction of that total. It follows from the scatter between places in
     /// the stream.
-    pub glitch_error: f64,
+    pub glitch_error: Option<f64>,
 }
 
 /// All instances of one kind of module in the hierarchy, without the modules inside them.
@@ -255,15 +255,15 @@ impl<'l> Implementation<'l> {
     }
 }
 
-/// Standard error of the mean of samples, as a fraction of the mean; 0 for fewer than two samples.
-fn relative_standard_error(samples: &[f64]) -> f64 {
+/// Standard error of the mean of samples, as a fraction of the mean; none for fewer than two samples, which say nothing about it.
+fn relative_standard_error(samples: &[f64]) -> Option<f64> {
     let count = samples.len() as f64;
     let mean = samples.iter().sum::<f64>() / count;
     if samples.len() < 2 || mean == 0.0 {
-        return 0.0;
+        return None;
     }
     let variance = samples.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / (count - 1.0);
-    (variance / count).sqrt() / mean
+    Some((variance / count).sqrt() / mean)
 }
 
 #[cfg(test)]
@@ -272,10 +272,10 @@ mod tests {
 
     #[test]
     fn standard_errors() {
-        assert_eq!(relative_standard_error(&[]), 0.0);
-        assert_eq!(relative_standard_error(&[3.0]), 0.0);
-        assert_eq!(relative_standard_error(&[2.0, 2.0, 2.0]), 0.0);
+        assert_eq!(relative_standard_error(&[]), None);
+        assert_eq!(relative_standard_error(&[3.0]), None);
+        assert_eq!(relative_standard_error(&[2.0, 2.0, 2.0]), Some(0.0));
         // Variance 2, error of the mean 1, mean 2.
-        assert_eq!(relative_standard_error(&[1.0, 3.0]), 0.5);
+        assert_eq!(relative_standard_error(&[1.0, 3.0]), Some(0.5));
     }
 }

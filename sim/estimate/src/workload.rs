@@ -127,7 +127,9 @@ impl Workload {
         nodes.truncate(OPERATIONS);
         boxes.truncate(OPERATIONS);
         if nodes.is_empty() || boxes.is_empty() {
-            return Err(failed(&"no ray meets a node; move the camera"));
+            return Err(failed(
+                &"no ray meets a node of both trees: a scene that is one leaf has none, and a view that misses the scene meets none; name a scene of more triangles, or give it a view file",
+            ));
         }
         Ok(Self { scene: scene.name.clone(), nodes, boxes })
     }

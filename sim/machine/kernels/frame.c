@@ -24,6 +24,13 @@ enum {
 // The reciprocal of a power of two at or below m.
 #define UNSCALE(m) from_bits(0x7f000000 - (bits(m) & EXPONENT))
 
+// Address of the first child of the inner node of a BVH with this word 0: it counts nodes, with WORD_OFFSETS words.
+#ifdef WORD_OFFSETS
+#define FIRST_CHILD(word) (nodes + ((word) & BVH_INDEX))
+#else
+#define FIRST_CHILD(word) (nodes + ((word) & BVH_INDEX) * 7)
+#endif
+
 #define BOX_LOAD(lane, address, word) asm volatile("BOXLOAD %0, %1, %2" ::"r"(lane), "r"(address), "i"(word));
 
 // Where the reciprocal i of a component d overflows, planes of entry get the largest finite number.

@@ -40,6 +40,9 @@
 // index of the first child, or of the first triangle. Words 1 to 3 the box's minimum, 4 to 6 its maximum. Siblings follow each other.
 // The root is not among them: its box and its word 0 are at PARAM_ROOT. The dual-split tree's box is there, too.
 //
+// With another layout.alignment than 0, gaps of zeros lie between the children of one node and those of the next, and bits 27:0 of an
+// inner node of a bvh count words, not nodes: where C is compiled, WORD_OFFSETS is defined. Offsets of dst count words anyway.
+//
 // OPERATIONS beyond those below, as inline assembler (traversal.h shows each; =r is an int, =f a float):
 //
 //     DSTSTEP code=r, near=r, far=r, t_min+f, t_max+f, far_t_min=f, far_t_max=f, word, plane0, plane1, o x3, i x3, j x3
@@ -60,7 +63,8 @@
 // while there are items; a dependence between items; a pixel that is not golden's bit for bit (frame.c has golden's operations in
 // golden's order), unless --allow-difference is given.
 //
-// What is defined for each structure: dst DST, dst-sw DST_SOFTWARE, bvh2 BVH=2, bvh4 and bvh8 BVH=4, the + forms PARALLEL as well.
+// What is defined for each structure: dst DST, dst-sw DST_SOFTWARE, bvh2 BVH=2, bvh4 and bvh8 BVH=4, the + forms PARALLEL as well;
+// WORD_OFFSETS for all of bvh, where nodes are not packed.
 #ifndef TRAX_H
 #define TRAX_H
 #define INLINE static inline __attribute__((always_inline))

@@ -44,5 +44,6 @@ pub mod frame;
 pub mod kernels;
 pub mod pipelines;
 pub mod program;
+pub mod queueing;
 pub mod reference;
 pub mod results;

@@ -1,13 +1,15 @@
 //! Banks of a cache that are taken, cycle by cycle of a quantum.
 
 use crate::LONGEST_QUANTUM as LONGEST;
-use crate::description::{BankBy, Cache, MAX_BANKS};
+use crate::description::{BankBy, Cache, MAX_BANKS, MAX_PORTS};
 
-/// By bank, a bit for each slot of the quantum in which it is taken.
+/// By port and bank, a bit for each slot of the quantum in which the port is taken. A bank's ports are taken in their order.
 #[derive(Clone, Debug)]
 pub struct Banks {
-    /// For as many banks as a machine can have.
-    taken: [u8; BANKS],
+    /// For as many ports and banks as a machine can have.
+    taken: [[u8; BANKS]; MAX_PORTS as usize],
+    /// The last port of each bank. A bank is taken where this one is.
+    last: usize,
     /// The bank of a word is its address without so many low bits, modulo the number of banks.
     shift: u32,
     mask: u32,
@@ -23,7 +25,8 @@ impl Banks {
             BankBy::Word => 0,
             BankBy::Line => cache.line_words().trailing_zeros(),
         };
-        Self { taken: [0; BANKS], shift, mask: cache.banks - 1 }
+        let taken = [[0; BANKS]; MAX_PORTS as usize];
+        Self { taken, last: cache.ports as usize - 1, shift, mask: cache.banks - 1 }
     }
 
     /// The bank of word `address`.
@@ -35,19 +38,26 @@ impl Banks {
     /// Begins a quantum: none is taken.
     #[inline]
     pub fn clear(&mut self) {
-        self.taken = [0; BANKS];
+        self.taken[..=self.last].fill([0; BANKS]);
     }
 
-    /// Whether `bank` is taken in slot `slot`.
+    /// Whether all ports of `bank` are taken in slot `slot`.
     #[inline(always)]
     pub fn is_taken(&self, slot: usize, bank: usize) -> bool {
-        self.taken[bank % BANKS] >> (slot % LONGEST) & 1 != 0
+        self.taken[self.last][bank % BANKS] >> (slot % LONGEST) & 1 != 0
     }
 
-    /// Takes `bank` in slot `slot`.
+    /// Takes a port of `bank` in slot `slot`; none if all are taken.
     #[inline(always)]
     pub fn take(&mut self, slot: usize, bank: usize) {
-        self.taken[bank % BANKS] |= 1 << (slot % LONGEST);
+        let bit = 1 << (slot % LONGEST);
+        for port in &mut self.taken[..=self.last] {
+            let bits = &mut port[bank % BANKS];
+            if *bits & bit == 0 {
+                *bits |= bit;
+                return;
+            }
+        }
     }
 }
 
@@ -77,6 +87,20 @@ mod tests {
                 taken.clear();
                 assert!(!taken.is_taken(2, taken.of(5 * words)));
             }
+        }
+    }
+
+    #[test]
+    fn a_bank_is_taken_once_all_its_ports_are() {
+        for ports in 1..=MAX_PORTS {
+            let mut taken = Banks::new(&Cache { ports, ..cache() });
+            for _ in 0..ports {
+                assert!(!taken.is_taken(2, 5), "{ports}");
+                taken.take(2, 5);
+            }
+            assert!(taken.is_taken(2, 5) && !taken.is_taken(2, 6) && !taken.is_taken(3, 5));
+            taken.clear();
+            assert!(!taken.is_taken(2, 5));
         }
     }
 }

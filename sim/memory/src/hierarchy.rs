@@ -19,6 +19,8 @@ pub struct Memory {
     blocked: Blocked,
     ports_per_partition: usize,
     l2_latency_cycles: u32,
+    /// Cycles from a port to the second-level cache and back.
+    network_cycles: u32,
     line_shift: u32,
     quantum: u32,
     /// First cycle of the current quantum.
@@ -32,7 +34,7 @@ impl Memory {
     /// If `description` would not pass [`Description::check`].
     #[must_use]
     pub fn new(description: &Description) -> Self {
-        let Description { partitions, ports_per_partition, l1, l2, dram } = description;
+        let Description { partitions, ports_per_partition, l1, network, l2, dram } = description;
         Self {
             ports: (0..partitions * ports_per_partition).map(|_| Port::new(l1)).collect(),
             l2s: (0..*partitions).map(|_| L2::new(l2)).collect(),
@@ -40,6 +42,7 @@ impl Memory {
             blocked: Blocked::new(dram.channels),
             ports_per_partition: *ports_per_partition as usize,
             l2_latency_cycles: l2.latency_cycles,
+            network_cycles: 2 * network.latency_cycles,
             line_shift: l1.line_words().trailing_zeros(),
             quantum: crate::quantum(dram),
             start: 0,
@@ -73,11 +76,13 @@ impl Memory {
         self.start = start;
         self.dram.advance(start);
         let (ports, l2s, per_partition) = (&mut self.ports, &mut self.l2s, self.ports_per_partition);
+        let network_cycles = self.network_cycles;
         self.dram.announce(start, |arrival| {
             let port = arrival.requester.port;
             l2s[usize::from(port) / per_partition].arrives(arrival.line, arrival.cycle);
-            ports[usize::from(port)].arrives(arrival.line, arrival.cycle, |number| {
-                arrives(Client { port, number }, arrival.cycle);
+            let cycle = arrival.cycle + network_cycles;
+            ports[usize::from(port)].arrives(arrival.line, cycle, |number| {
+                arrives(Client { port, number }, cycle);
             });
         });
         self.l2s.iter_mut().for_each(|l2| l2.begin(start));
@@ -115,6 +120,9 @@ impl Memory {
             return Answer::of(ready);
         }
 
+        if access == Access::Load && port.is_full(now, address) {
+            return Answer::Refused;
+        }
         if l2.refuses(slot, address) {
             return Answer::Refused;
         }
@@ -130,17 +138,24 @@ impl Memory {
             return Answer::At(now + 1);
         }
         let hit = l2.hit(now, line);
-        let from_l2 = self.l2_latency_cycles + port.latency_cycles();
+        let from_l2 = self.l2_latency_cycles + port.latency_cycles() + self.network_cycles;
         let arrival = if hit {
             now + from_l2
         } else {
+            if l2.is_full(now, line) {
+                return Answer::Refused;
+            }
             match self.dram.read(now, line, Requester { port: number }) {
                 Read::Refused => {
                     self.blocked.add(self.dram.channel(line), line, request);
                     return Answer::Kept;
                 }
-                Read::Queued => UNKNOWN,
+                Read::Queued => {
+                    l2.asked(now, line);
+                    UNKNOWN
+                }
                 Read::Arrives(cycle) => {
+                    l2.asked(now, line);
                     l2.arrives(line, cycle);
                     cycle + from_l2
                 }

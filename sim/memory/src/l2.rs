@@ -3,6 +3,7 @@
 use crate::banks::Banks;
 use crate::description::Cache;
 use crate::lines::Lines;
+use crate::outstanding::{Outstanding, UNKNOWN};
 use crate::stats::CacheCounts;
 
 /// A partition's cache.
@@ -11,24 +12,50 @@ pub struct L2 {
     lines: Lines,
     /// Banks that served accesses have taken.
     busy: Banks,
+    /// Lines on their way, which are noted where registers limit them.
+    outstanding: Outstanding,
+    /// Lines that may be on their way at a time, if it is not 0.
+    miss_registers: u32,
     /// What happened.
     pub counts: CacheCounts,
 }
 
 impl L2 {
     pub fn new(cache: &Cache) -> Self {
-        Self { lines: Lines::new(cache), busy: Banks::new(cache), counts: CacheCounts::default() }
+        Self {
+            lines: Lines::new(cache),
+            busy: Banks::new(cache),
+            outstanding: Outstanding::default(),
+            miss_registers: cache.miss_registers,
+            counts: CacheCounts::default(),
+        }
     }
 
     /// Begins the quantum at cycle `start`: what has arrived by then is filled.
     pub fn begin(&mut self, start: u32) {
         self.busy.clear();
-        self.lines.begin(start, |_, _| {});
+        let outstanding = &mut self.outstanding;
+        self.lines.begin(start, |line, arrival| outstanding.remove_arrived(line, arrival));
     }
 
     /// It is known that `line` arrives from memory in cycle `cycle`.
     pub fn arrives(&mut self, line: u32, cycle: u32) {
         self.lines.arrives(line, cycle);
+        self.outstanding.arrives(line, cycle, |_| ());
+    }
+
+    /// Whether all registers for lines on their way are taken in cycle `now`, which refuses a load of `line` that is not held.
+    pub fn is_full(&mut self, now: u32, line: u32) -> bool {
+        let is_full = !self.outstanding.has_room(now, line, self.miss_registers);
+        self.counts.register_conflicts += u64::from(is_full);
+        is_full
+    }
+
+    /// `line` is on its way from memory in cycle `now`.
+    pub fn asked(&mut self, now: u32, line: u32) {
+        if self.miss_registers > 0 && self.outstanding.arrival(line).is_none_or(|arrival| arrival <= now) {
+            self.outstanding.insert(now, line, UNKNOWN);
+        }
     }
 
     /// Whether the bank of word `address` is taken in slot `slot`, which refuses a request.

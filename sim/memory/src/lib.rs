@@ -9,7 +9,7 @@
 //! |---|---|
 //! | [`Answer::At`] | the words can be used from this cycle on; of a store, the client goes on then |
 //! | [`Answer::Later`] | the line is on its way, and [`Memory::begin`] announces its cycle to whoever waits ([`Port::wait`]) |
-//! | [`Answer::Refused`] | a bank is taken or the queue for writes full: ask again in the next cycle |
+//! | [`Answer::Refused`] | a bank or all miss registers are taken, or the queue for writes is full: ask again in the next cycle |
 //! | [`Answer::Kept`] | the queue for reads is full: [`Memory::wake`] gives the request back when there is room |
 //!
 //! # Time
@@ -23,7 +23,7 @@
 //! words that a client wants one request brings; it asks for the others anew.
 //!
 //! ```
-//! use memory::description::{BankBy, Bytes, Cache, Description};
+//! use memory::description::{BankBy, Bytes, Cache, Description, Network};
 //! use memory::{Access, Answer, Client, Memory, Request};
 //!
 //! # fn dram() -> memory::description::Dram { toml::from_str(include_str!("../tests/interface/gddr5.toml")).unwrap() }
@@ -32,14 +32,16 @@
 //!     size: Bytes(kib << 10),
 //!     line: Bytes(64),
 //!     banks: 8,
+//!     ports: 1,
 //!     bank_by: BankBy::Word,
 //!     associativity: 1,
 //!     latency_cycles,
+//!     miss_registers: 0,
 //!     area_mm2: None,
 //!     energy_nj: None,
 //! };
-//! let description =
-//!     Description { partitions: 1, ports_per_partition: 1, l1: cache(32, 1), l2: cache(512, 3), dram: dram() };
+//! let (l1, network, l2) = (cache(32, 1), Network::default(), cache(512, 3));
+//! let description = Description { partitions: 1, ports_per_partition: 1, l1, network, l2, dram: dram() };
 //! let mut memory = Memory::new(&description);
 //! let load = |cycle| Request { cycle, client: Client { port: 0, number: 7 }, access: Access::Load, address: 64 };
 //!

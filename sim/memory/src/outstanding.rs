@@ -1,4 +1,4 @@
-//! Lines on their way to a first-level cache, and who waits for them.
+//! Lines on their way to a cache, and who waits for them.
 
 /// When a line arrives whose time is not known yet.
 pub const UNKNOWN: u32 = u32::MAX;
@@ -28,6 +28,16 @@ impl Outstanding {
     #[inline]
     pub fn arrival(&self, line: u32) -> Option<u32> {
         self.entries.iter().find(|entry| entry.line == line).map(|entry| entry.arrival)
+    }
+
+    /// Whether `registers` of them, or any number at 0, are enough to ask for `line` in cycle `now` as well.
+    #[inline]
+    pub fn has_room(&self, now: u32, line: u32, registers: u32) -> bool {
+        if registers == 0 {
+            return true;
+        }
+        let under_way = || self.entries.iter().filter(|entry| entry.arrival > now);
+        under_way().count() < registers as usize || under_way().any(|entry| entry.line == line)
     }
 
     /// Notes that `line` is under way in cycle `now`.
@@ -77,5 +87,23 @@ impl Outstanding {
         if let Some(at) = self.entries.iter().position(|entry| entry.line == line && entry.arrival <= now) {
             self.entries.swap_remove(at);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_register_is_taken_until_its_line_arrives_and_a_line_needs_one() {
+        let mut lines = Outstanding::default();
+        lines.insert(0, 5, UNKNOWN);
+        lines.insert(0, 6, 9);
+        assert!(lines.has_room(8, 7, 3) && lines.has_room(8, 7, 0));
+        assert!(!lines.has_room(8, 7, 2) && !lines.has_room(8, 7, 1));
+        assert!(lines.has_room(8, 6, 2) && lines.has_room(8, 5, 2), "a line that is under way has one");
+        assert!(lines.has_room(9, 7, 2) && !lines.has_room(9, 7, 1), "line 6 has arrived");
+        lines.arrives(5, 12, |_| ());
+        assert!(!lines.has_room(11, 7, 1) && lines.has_room(12, 7, 1));
     }
 }

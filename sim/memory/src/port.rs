@@ -17,9 +17,11 @@ pub struct Port {
     line_shift: u32,
     /// Banks that served accesses have taken.
     busy: Banks,
-    /// Banks that requests that go beyond the port will take if they are served.
+    /// Banks that a request that goes beyond the port will take if it is served.
     asked: Banks,
     outstanding: Outstanding,
+    /// Lines that may be on their way at a time, if it is not 0.
+    miss_registers: u32,
     /// What happened.
     pub(crate) counts: CacheCounts,
 }
@@ -45,8 +47,9 @@ impl Port {
             latency_cycles: if cache.enabled { cache.latency_cycles } else { 0 },
             line_shift: cache.line_words().trailing_zeros(),
             busy: Banks::new(cache),
-            asked: Banks::new(cache),
+            asked: Banks::new(&Cache { ports: 1, ..*cache }),
             outstanding: Outstanding::default(),
+            miss_registers: cache.miss_registers,
             counts: CacheCounts::default(),
         }
     }
@@ -137,6 +140,15 @@ impl Port {
         let arrival = self.outstanding.arrival(line).filter(|arrival| *arrival > now)?;
         self.counts.joined += 1;
         Some(if arrival == UNKNOWN { UNKNOWN } else { arrival + self.latency_cycles })
+    }
+
+    /// Whether all registers for lines on their way are taken in cycle `now`, which refuses a load of `address` that has to go
+    /// beyond the port.
+    #[inline]
+    pub(crate) fn is_full(&mut self, now: u32, address: u32) -> bool {
+        let is_full = !self.outstanding.has_room(now, address >> self.line_shift, self.miss_registers);
+        self.counts.register_conflicts += u64::from(is_full);
+        is_full
     }
 
     /// The client of number `number` waits for the line of `address`, which it was told to come later. It may wait with several

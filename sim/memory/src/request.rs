@@ -40,7 +40,7 @@ pub enum Answer {
     At(u32),
     /// The line is on its way, and it is not known yet when it arrives.
     Later,
-    /// A bank is taken, or the queue for writes full. The client asks again in the next cycle.
+    /// A bank or all miss registers are taken, or the queue for writes is full. The client asks again in the next cycle.
     Refused,
     /// The queue for reads is full. The memory gives the request back when there is room.
     Kept,

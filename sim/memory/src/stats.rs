@@ -1,9 +1,10 @@
 //! What happened, counted.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Accesses of a cache.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct CacheCounts {
     /// Loads that were taken.
     pub loads: u64,
@@ -15,6 +16,8 @@ pub struct CacheCounts {
     pub stores: u64,
     /// Tries that were refused as the bank was taken.
     pub bank_conflicts: u64,
+    /// Tries to load that were refused as no miss register was free.
+    pub register_conflicts: u64,
 }
 
 impl CacheCounts {
@@ -25,6 +28,7 @@ impl CacheCounts {
         self.joined += other.joined;
         self.stores += other.stores;
         self.bank_conflicts += other.bank_conflicts;
+        self.register_conflicts += other.register_conflicts;
     }
 
     /// All of `counts` together.
@@ -43,7 +47,8 @@ impl CacheCounts {
 }
 
 /// What the memory did.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct DramCounts {
     /// Lines read.
     pub reads: u64,

@@ -1,13 +1,17 @@
 //! A folder of results, which a later run may replace.
 
 use anyhow::{Context, bail};
+use base::input::read_text;
 use base::output::write_file;
 use std::collections::BTreeSet;
-use std::fs;
+use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
 
 /// The file that lists which files in its folder the tool made. The tool replaces those and no others.
 const LIST: &str = ".dualsplit-artifacts";
+
+/// Most bytes of the list.
+const MOST_BYTES: u64 = 1 << 24;
 
 /// A folder that is being filled.
 pub struct Artifacts {
@@ -17,6 +21,8 @@ pub struct Artifacts {
     owned: BTreeSet<String>,
     /// Files of this run, in order.
     written: Vec<String>,
+    /// The folder, locked against other runs as long as it is open.
+    _lock: Option<File>,
 }
 
 impl Artifacts {
@@ -26,7 +32,7 @@ impl Artifacts {
     /// The folder holds files of others, or cannot be made.
     pub fn create(folder: &Path, force: bool) -> anyhow::Result<Self> {
         let list = folder.join(LIST);
-        let owned = match fs::read_to_string(&list) {
+        let owned = match read_text(&list, MOST_BYTES) {
             Ok(text) => text.lines().map(str::to_owned).collect(),
             Err(_) => {
                 let occupied = folder.symlink_metadata().is_ok()
@@ -44,7 +50,7 @@ impl Artifacts {
                 BTreeSet::new()
             }
         };
-        Ok(Self { folder: folder.to_owned(), force, owned, written: vec![] })
+        Ok(Self { folder: folder.to_owned(), force, owned, written: vec![], _lock: lock(folder)? })
     }
 
     /// Writes the file `name`, a relative path with `/`. Only with `force` does it replace a file that the tool did not make.
@@ -58,6 +64,12 @@ impl Artifacts {
                 .with_context(|| format!("{}: cannot make the folder", parent.display()))?;
         }
         let replace = self.force || self.owned.contains(name);
+        // A file with these bytes may have been brought from another folder.
+        let is_same = || {
+            path.metadata().is_ok_and(|found| found.len() == bytes.len() as u64)
+                && fs::read(&path).is_ok_and(|found| found == bytes)
+        };
+        let replace = replace || is_same();
         if !replace && path.symlink_metadata().is_ok() {
             bail!(
                 "{}: the file was not made by this tool; move it, or use --force to replace it",
@@ -111,6 +123,24 @@ impl Artifacts {
     }
 }
 
+/// Locks `folder`. Where the system locks no folders, two runs at a time are not noticed.
+///
+/// # Errors
+/// Another run holds the lock.
+fn lock(folder: &Path) -> anyhow::Result<Option<File>> {
+    let Ok(file) = File::open(folder) else { return Ok(None) };
+    match file.try_lock() {
+        Ok(()) => Ok(Some(file)),
+        Err(TryLockError::WouldBlock) => {
+            bail!(
+                "{}: another run is writing into this folder; wait for its end, or name another folder with --out",
+                folder.display()
+            )
+        }
+        Err(TryLockError::Error(_)) => Ok(None),
+    }
+}
+
 /// Whether a listed name stays inside the folder. Users can edit the list, so its names are not trusted.
 fn is_plain(name: &str) -> bool {
     Path::new(name).components().all(|part| matches!(part, std::path::Component::Normal(_)))
@@ -134,14 +164,26 @@ mod tests {
         let folder = parent.path().join("out");
         let paths = run(&folder, &["b", "sub/a", "old"], false).unwrap();
         assert_eq!(paths, ["b", "sub/a", "old"].map(|name| folder.join(name)));
-        fs::write(folder.join("mine"), "mine").unwrap();
+        fs::write(folder.join("mine"), "my own").unwrap();
         run(&folder, &["b", "sub/a"], false).unwrap();
         assert!(!folder.join("old").exists(), "made by the tool, and no longer part of the result");
-        assert_eq!(fs::read(folder.join("mine")).unwrap(), b"mine");
+        assert_eq!(fs::read(folder.join("mine")).unwrap(), b"my own");
         let error = run(&folder, &["b", "mine"], false).unwrap_err().to_string();
         assert!(error.contains("mine") && error.contains("--force"), "{error}");
-        assert_eq!(fs::read(folder.join("mine")).unwrap(), b"mine");
+        assert_eq!(fs::read(folder.join("mine")).unwrap(), b"my own");
         run(&folder, &["mine"], true).unwrap();
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn two_runs_in_one_folder_are_refused() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("out");
+        let first = Artifacts::create(&folder, false).unwrap();
+        let error = Artifacts::create(&folder, true).err().expect("a lock").to_string();
+        assert!(error.contains("another run is writing"), "{error}");
+        first.finish().unwrap();
+        run(&folder, &["a"], false).unwrap();
     }
 
     #[test]

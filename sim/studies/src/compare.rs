@@ -1,6 +1,6 @@
 //! The differences between two pictures.
 
-use crate::input::{check_writable, display};
+use crate::input::{check_outputs, display};
 use anyhow::{Context, ensure};
 use base::output::write_file;
 use serde::Serialize;
@@ -34,8 +34,6 @@ pub struct Comparison {
     pub peak: f64,
     pub max_abs: f64,
     pub differing_pixels: u64,
-    /// The file that the difference was written to.
-    pub out: Option<String>,
     /// Whether no pixel differs.
     #[serde(skip)]
     pub equal: bool,
@@ -48,8 +46,8 @@ pub struct Comparison {
 pub fn run(args: &Options) -> anyhow::Result<Comparison> {
     if let Some(out) = &args.out {
         Format::of(out)?;
-        check_writable("--out", out, args.force)?;
     }
+    check_outputs(&[("--out", args.out.as_deref())], &[Some(&args.a), Some(&args.b)], args.force)?;
     let (format, a) = picture::read(&args.a)?;
     let (other_format, b) = picture::read(&args.b)?;
     let names = || format!("{} and {}", args.a.display(), args.b.display());
@@ -76,7 +74,6 @@ pub fn run(args: &Options) -> anyhow::Result<Comparison> {
         peak: difference.peak,
         max_abs: difference.max_abs,
         differing_pixels: difference.differing_pixels,
-        out: args.out.as_deref().map(display),
         equal: difference.is_empty(),
     })
 }

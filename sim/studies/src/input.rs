@@ -2,6 +2,7 @@
 
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail, ensure};
+use base::output::{is_special, target};
 use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::tree_file;
@@ -29,6 +30,12 @@ pub struct SceneSource {
 }
 
 impl SceneSource {
+    /// The name as the path of a file that is read; a built-in scene has none.
+    pub fn path(&self) -> Option<&Path> {
+        let built_in = self.name.to_str().is_some_and(|name| scenes::procedural::find(name).is_some());
+        (!built_in).then(|| Path::new(&self.name))
+    }
+
     /// Loads or makes the scene, and notes what may surprise in a file.
     ///
     /// # Errors
@@ -182,11 +189,47 @@ pub fn display(path: &Path) -> String {
     path.display().to_string()
 }
 
+/// `paths` as result files name them.
+pub fn display_all<P: AsRef<Path>>(paths: impl IntoIterator<Item = P>) -> Vec<String> {
+    paths.into_iter().map(|path| display(path.as_ref())).collect()
+}
+
+/// Checks before the work that all `outputs` that are given can be written after it, each named by its option, and that none is
+/// another output or one of `inputs`.
+///
+/// # Errors
+/// The message names the options.
+pub fn check_outputs(
+    outputs: &[(&str, Option<&Path>)],
+    inputs: &[Option<&Path>],
+    force: bool,
+) -> anyhow::Result<()> {
+    let same = |a: &Path, b: &Path| match (target(a), target(b)) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    };
+    let given: Vec<(&str, &Path)> =
+        outputs.iter().filter_map(|(option, path)| path.map(|path| (*option, path))).collect();
+    for (i, (option, path)) in given.iter().enumerate() {
+        check_writable(option, path, force)?;
+        if is_special(path) {
+            continue;
+        }
+        if let Some((other, _)) = given[..i].iter().find(|(_, other)| same(path, other)) {
+            bail!("{option} {}: this is also the file of {other}; name another", path.display());
+        }
+        if inputs.iter().flatten().any(|input| same(path, input)) {
+            bail!("{option} {}: this is also read; name another", path.display());
+        }
+    }
+    Ok(())
+}
+
 /// Checks before the work that `path` can be written after it: that its folder exists, and that it names no file to be kept.
 ///
 /// # Errors
 /// The path cannot be written. The message begins with `option`, which the path was given for.
-pub fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<()> {
+fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<()> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
         bail!(
@@ -198,8 +241,30 @@ pub fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<
     if path.is_dir() {
         bail!("{option} {}: this is a folder; name a file", path.display());
     }
-    if !force && path.symlink_metadata().is_ok() {
+    if !force && path.exists() && !is_special(path) {
         return Err(base::output::WriteError::Exists(path.to_owned())).context(option.to_owned());
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outputs_are_compared_with_each_other_and_with_inputs() {
+        let folder = tempfile::tempdir().unwrap();
+        let [a, b] = ["a", "b"].map(|name| folder.path().join(name));
+        let a_again = folder.path().join("../").join(folder.path().file_name().unwrap()).join("a");
+        let check = |outputs: &[(&str, Option<&Path>)], inputs: &[Option<&Path>]| {
+            check_outputs(outputs, inputs, true).map_err(|error| error.to_string())
+        };
+        let two = |path| [("--out", Some(a.as_path())), ("--rays", Some(path))];
+        assert_eq!(check(&two(&b), &[None]), Ok(()));
+        assert!(check(&two(&a_again), &[]).unwrap_err().contains("also the file of --out"));
+        std::fs::write(&b, "").unwrap();
+        assert!(check(&two(&b), &[Some(&b)]).unwrap_err().contains("--rays"));
+        let null = Path::new("/dev/null");
+        assert_eq!(check(&[("--out", Some(null)), ("--rays", Some(null))], &[]), Ok(()));
+    }
 }

@@ -3,19 +3,27 @@
 use crate::fidelity::FidelityError;
 use crate::input::display;
 use anyhow::{Context, anyhow, bail, ensure};
-use base::output::{WriteError, write_file};
+use base::output::{Unfinished, WriteError, write_file};
 use machine::core::SimulationError;
-use machine::frame::{FrameError, Kernel, MachineStructure};
+use machine::frame::{FrameError, Kernel};
 use machine::kernels::{FILES, OPTIONS, statement};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
 
 /// Largest file that is read as a listing, and largest output of the compiler.
 const MOST_BYTES: u64 = 4 << 20;
+
+/// The example among the files of [`dump`].
+pub const EXAMPLE: &str = "examples/no-t-min.c";
+
+/// Seconds that the compiler may take; it takes less than one.
+const MOST_SECONDS: u64 = 60;
 
 /// A program with the file that it comes from.
 #[derive(Clone, Debug)]
@@ -32,18 +40,18 @@ pub struct Program {
 }
 
 impl Program {
-    /// Reads the listing `path` (`.s`), or compiles the program `path` (`.c`) for `structure`.
+    /// Reads the listing `path` (`.s`), or compiles the program `path` (`.c`) with these `defines`.
     ///
     /// # Errors
     /// The file has another extension, cannot be read or compiled, or there is no compiler.
-    pub fn load(path: &Path, structure: MachineStructure, may_differ: bool) -> anyhow::Result<Self> {
+    pub fn load(path: &Path, defines: &[&str], may_differ: bool) -> anyhow::Result<Self> {
         let file = display(path);
         let is_file = fs::metadata(path).with_context(|| format!("{file}: cannot read"))?.is_file();
         ensure!(is_file, "{file}: this is no file; name a listing (.s) or a program in C (.c)");
         let (name, listing, origins) = match path.extension().and_then(|extension| extension.to_str()) {
             Some("s" | "S") => (file.clone(), read(path).with_context(|| file.clone())?, vec![]),
             Some("c") => {
-                let (listing, origins) = compile(path, structure)?;
+                let (listing, origins) = compile(path, defines)?;
                 (format!("the listing of {file}"), listing, origins)
             }
             _ => bail!("{file}: a kernel is a listing (.s) or a program in C (.c); rename the file"),
@@ -91,7 +99,7 @@ fn read(path: &Path) -> anyhow::Result<String> {
 }
 
 /// The listing of a program in C, and where each of its lines comes from.
-fn compile(path: &Path, structure: MachineStructure) -> anyhow::Result<(String, Vec<String>)> {
+fn compile(path: &Path, defines: &[&str]) -> anyhow::Result<(String, Vec<String>)> {
     let folder = tempfile::tempdir().context("a folder for the compiler cannot be made")?;
     let include = folder.path().join("include");
     for (name, content) in FILES {
@@ -100,21 +108,26 @@ fn compile(path: &Path, structure: MachineStructure) -> anyhow::Result<(String, 
             .and_then(|()| fs::write(&file, content))
             .with_context(|| format!("{}: cannot write", file.display()))?;
     }
-    let raw = folder.path().join("kernel.s");
+    let _unfinished = Unfinished::new(folder.path());
+    let [raw, said] = ["kernel.s", "messages"].map(|name| folder.path().join(name));
     // A name that begins with a dash would be an option.
     let source = if path.is_absolute() { path.to_owned() } else { Path::new(".").join(path) };
     let clang = std::env::var_os("CLANG").unwrap_or_else(|| "clang-14".into());
-    let output = Command::new(&clang)
+    let mut compiler = Command::new(&clang)
         .args(OPTIONS.split_whitespace())
-        .args(structure.defines().iter().map(|name| format!("-D{name}")))
+        .args(defines.iter().map(|name| format!("-D{name}")))
         // Positions in the source; instructions are the same with and without.
         .arg("-gline-tables-only")
+        // Sources beside the program, edited after --dump-kernels, come before those of this crate.
+        .args(own_folders(path).iter().flat_map(|folder| [OsStr::new("-I"), folder.as_os_str()]))
         .arg("-I")
         .arg(&include)
         .arg("-o")
         .args([&raw, &source])
         .stdin(Stdio::null())
-        .output()
+        .stdout(Stdio::null())
+        .stderr(File::create(&said)?)
+        .spawn()
         .with_context(|| {
             format!(
                 "{}: {} does not start, which compiles programs in C; install Debian's package clang-14, or name another \
@@ -123,14 +136,46 @@ fn compile(path: &Path, structure: MachineStructure) -> anyhow::Result<(String, 
                 Path::new(&clang).display()
             )
         })?;
-    if !output.status.success() {
-        let said = String::from_utf8_lossy(&output.stderr);
+    let named =
+        || format!("{}: the compiler {} (CLANG names it)", path.display(), Path::new(&clang).display());
+    let Some(status) = wait(&mut compiler, MOST_SECONDS)? else {
+        bail!("{} did not end within {MOST_SECONDS} s; name a clang 14 in CLANG", named());
+    };
+    if !status.success() {
+        let said = base::input::read_file(&said, MOST_BYTES).unwrap_or_default();
+        let said = String::from_utf8_lossy(&said);
         // Files of this crate are named as they are dumped.
         let said = said.replace(&format!("{}/", include.display()), "");
         bail!("{}: the compiler refuses it\n{}", path.display(), said.trim_end());
     }
+    ensure!(raw.is_file(), "{} wrote no listing; name a clang 14 in CLANG", named());
     let text = read(&raw).with_context(|| format!("the listing of {}", path.display()))?;
     Ok(tidied(&text))
+}
+
+/// The folders of the program `path` whose sources come first: its own, and the one above where that holds a header of
+/// [`kernel::dump`](dump), as for the example.
+fn own_folders(path: &Path) -> Vec<PathBuf> {
+    let own = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let above = own.join("..");
+    let is_dumped = above.join(FILES[0].0).is_file();
+    [own.to_owned()].into_iter().chain(is_dumped.then_some(above)).collect()
+}
+
+/// The status of `child`, or none if it did not end within `seconds` and was ended.
+fn wait(child: &mut Child, seconds: u64) -> std::io::Result<Option<ExitStatus>> {
+    let end = Instant::now() + Duration::from_secs(seconds);
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(Some(status));
+        }
+        if Instant::now() > end {
+            child.kill()?;
+            child.wait()?;
+            return Ok(None);
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
 }
 
 /// A compiler's output without comments, directives and debugging data, and where each of its lines comes from.
@@ -201,5 +246,14 @@ mod tests {
         let (listing, origins) = tidied(raw);
         assert_eq!(listing, "main:\n    move $2, $3\n    jr $ra\n    nop\n");
         assert_eq!(origins[1..], ["a.c, line 7", "b.h, line 9", "b.h, line 9"]);
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_program_that_does_not_end_is_ended() {
+        let mut sleeps = Command::new("sleep").arg("600").spawn().unwrap();
+        assert!(wait(&mut sleeps, 0).unwrap().is_none());
+        let mut ends = Command::new("true").spawn().unwrap();
+        assert!(wait(&mut ends, 60).unwrap().unwrap().success());
     }
 }

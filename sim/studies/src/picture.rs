@@ -1,6 +1,6 @@
 //! A scene rendered to a file: a picture, a heat map of the work that rendering takes, or all counters as layers.
 
-use crate::input::{SceneSource, StructureSource, View, check_writable, display};
+use crate::input::{SceneSource, StructureSource, View, check_outputs, display};
 use crate::progress::{Part, Progress};
 use crate::work::ClassRow;
 use anyhow::ensure;
@@ -75,9 +75,6 @@ pub struct Picture {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub maxima: Option<Maxima>,
     pub classes: Vec<ClassRow>,
-    pub out: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rays_out: Option<String>,
 }
 
 /// The largest counters of any pixel.
@@ -102,10 +99,13 @@ pub fn run(o: &Options, progress: &dyn Progress) -> anyhow::Result<Picture> {
         o.out.display()
     );
     ensure!(o.exposure.is_finite(), "--exposure {}: give a finite number of stops", o.exposure);
-    check_writable("--out", &o.out, o.force)?;
-    if let Some(rays) = &o.rays {
-        check_writable("--rays", rays, o.force)?;
-    }
+    ensure!(
+        o.exposure == 0.0 || (format == Format::Png && o.heatmap.is_none()),
+        "--exposure {}: it changes neither an .exr nor a heat map; leave it away",
+        o.exposure
+    );
+    let outputs = [("--out", Some(o.out.as_path())), ("--rays", o.rays.as_deref())];
+    check_outputs(&outputs, &[o.scene.path(), o.structure.file.as_deref()], o.force)?;
     let [width, height] = o.size;
     let options = RenderOptions {
         samples: o.samples,
@@ -169,7 +169,5 @@ pub fn run(o: &Options, progress: &dyn Progress) -> anyhow::Result<Picture> {
             .classes()
             .map(|(class, totals)| ClassRow::new(class, totals, options.count_work))
             .collect(),
-        out: display(&o.out),
-        rays_out: o.rays.as_deref().map(display),
     })
 }

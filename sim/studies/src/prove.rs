@@ -1,7 +1,8 @@
 //! Proofs that the hardware equals its references for all inputs and states.
 
 use crate::progress::{Part, Progress};
-use anyhow::Context;
+use anyhow::{Context, bail};
+use base::output::Unfinished;
 use gates::prove::{Limits, Proof, Verdict, verilog};
 use pipelines::catalogue::{StandardFormat, Top};
 use proofs::{Sums, Theorem};
@@ -91,6 +92,9 @@ pub fn run(unit: Option<Top>, progress: &dyn Progress) -> anyhow::Result<Proofs>
             Err(Exported::Failed(error)) => return Err(error),
         }
     }
+    if proofs.is_empty() {
+        bail!("--prove: nothing was proved: {}", skipped.as_deref().unwrap_or("there is no theorem"));
+    }
     Ok(Proofs { proofs, skipped })
 }
 
@@ -105,15 +109,11 @@ fn exported(top: Top, progress: &dyn Progress) -> Result<ProofRow, Exported> {
     let failed = |error: anyhow::Error| Exported::Failed(error);
     let format = StandardFormat::Binary32;
     let start = Instant::now();
-    let folder = std::env::temp_dir().join(format!("dualsplit-proof-{}-{top}", std::process::id()));
-    std::fs::create_dir_all(&folder)
-        .with_context(|| format!("{}: cannot make the folder", folder.display()))
-        .map_err(failed)?;
+    let folder = tempfile::tempdir().context("a temporary folder cannot be made").map_err(failed)?;
+    let _unfinished = Unfinished::new(folder.path());
     let part = Part::endless(progress, &format!("reading the Verilog of {top}"));
-    let result = compare(top, format, &folder);
+    let result = compare(top, format, folder.path());
     drop(part);
-    // Files that cannot be removed do no harm: the proof is complete.
-    let _ = std::fs::remove_dir_all(&folder);
     let proof = result?;
     Ok(row(top, format, "exported Verilog read by yosys, arrays free", 1, &proof, start))
 }

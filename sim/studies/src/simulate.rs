@@ -2,19 +2,19 @@
 
 use crate::fidelity::auto::{FEWEST_BATCHES, Step, auto};
 use crate::fidelity::{FidelityError, Interval, Level, Sample, Subject};
-use crate::input::{Built, SceneSource, check_writable};
+use crate::input::{Built, SceneSource, check_outputs};
 use crate::kernel::Program;
 use crate::progress::{Part, Progress};
-use anyhow::ensure;
+use anyhow::{bail, ensure};
 use base::output::write_file;
 use estimate::Method;
 use golden::Mode;
 use golden::build::Quality;
 use machine::core::Counts;
 use machine::description::MachineDescription;
-use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals};
-use machine::reference::{ReferenceRuns, ValidatedRun};
-use machine::results::{Quantity, Results};
+use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals, node_bytes};
+use machine::reference::{ReferenceRun, ReferenceRuns, TABLE, ValidatedRun};
+use machine::results::{Quantity, Results, Tally};
 use rayon::prelude::*;
 use render::{RenderOptions, Test};
 use serde::Serialize;
@@ -32,8 +32,13 @@ pub enum Fidelity {
 
 impl Fidelity {
     /// All choices.
-    pub const ALL: [Self; 4] =
-        [Self::Level(Level::Analytic), Self::Level(Level::Transaction), Self::Level(Level::Rtl), Self::Auto];
+    pub const ALL: [Self; 5] = [
+        Self::Level(Level::Analytic),
+        Self::Level(Level::Queueing),
+        Self::Level(Level::Transaction),
+        Self::Level(Level::Rtl),
+        Self::Auto,
+    ];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
@@ -98,7 +103,8 @@ pub struct Simulation {
     pub machine: String,
     pub width: u32,
     pub height: u32,
-    pub node_bytes: usize,
+    /// Gaps between them included.
+    pub node_bytes: u64,
     /// The rays of all pixels recorded. Only an analytic sample leaves pixels unrecorded.
     pub rays: u64,
     pub exact_triangle_tests: u64,
@@ -212,9 +218,11 @@ impl StepRow {
 /// # Errors
 /// The options contradict each other, the scene cannot be loaded, the simulation fails, or the file cannot be written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation> {
-    if let Some(csv) = &args.csv {
-        check_writable("--csv", csv, args.force)?;
-    }
+    check_outputs(
+        &[("--csv", args.csv.as_deref())],
+        &[args.scene.path(), args.kernel.as_deref()],
+        args.force,
+    )?;
     let machine = &args.machine;
     ensure!(
         args.fidelity == Fidelity::Auto || args.tolerance.is_none(),
@@ -224,9 +232,15 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
         args.fidelity != Fidelity::Auto || args.sample.is_none(),
         "--sample does not go with --fidelity auto, which draws its own samples; name a level"
     );
+    ensure!(
+        args.fidelity != Fidelity::Level(Level::Queueing) || args.sample.is_none(),
+        "--sample does not go with --fidelity queueing, which goes through the whole frame"
+    );
     let mut set_up = FrameMachine::new(machine, args.structure, estimate::by_name(args.pipeline_cost))?;
-    let kernel =
-        args.kernel.as_deref().map(|path| Program::load(path, args.structure, args.allow_difference));
+    let kernel = args
+        .kernel
+        .as_deref()
+        .map(|path| Program::load(path, &args.structure.defines(machine.layout), args.allow_difference));
     let kernel = kernel.transpose()?;
     let explained = |error: FidelityError| match &kernel {
         Some(kernel) => kernel.explained(error),
@@ -238,10 +252,11 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     // A machine whose parts have no cost shows before its frame is simulated.
     let program = set_up.program().map_err(|error| explained(FrameError::from(error).into()))?;
     let none = Counts { runs: vec![0; program.code.runs.len()], ..Counts::default() };
-    Results::new(&set_up.description, set_up.pipeline.as_ref(), &program, &none)?;
+    Results::new(&set_up.description, set_up.pipeline.as_ref(), &Tally::new(&program, &none))?;
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let (structure, _) = built.convert(args.structure.kind())?;
+    let node_bytes = node_bytes(&structure, machine.layout)?;
     let [width, height] = args.size;
     let mut options = RenderOptions::new(args.test, width, height);
     options.mode = args.mode;
@@ -289,7 +304,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
         machine: machine.name.clone(),
         width,
         height,
-        node_bytes: structure.node_bytes(),
+        node_bytes: node_bytes.0,
         rays: totals.rays,
         exact_triangle_tests: totals.exact_tests,
         triangle_tests: totals.triangle_tests,
@@ -316,24 +331,69 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
 /// Our results for the reference runs, beside the published ones.
 #[derive(Debug, Serialize)]
 pub struct Validation {
-    /// All runs.
+    /// All runs whose files the folder has.
     pub runs: Vec<ValidatedRun>,
+    /// The others.
+    pub absent: Vec<AbsentRun>,
 }
 
-/// Repeats the reference runs of a folder on our machine, each on one thread.
+/// A run of the table that cannot be made.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct AbsentRun {
+    pub set: String,
+    pub variant: String,
+    pub tms: u32,
+    /// What the folder lacks.
+    pub reason: String,
+}
+
+/// Which rows of the table of reference runs are meant, as `SET`, `SET/VARIANT` or `SET/VARIANT/TMS`.
+fn is_meant(row: &str, run: &ReferenceRun) -> bool {
+    let tms = run.tms.to_string();
+    let mut parts = [run.set.as_str(), &run.variant, &tms].into_iter();
+    row.split('/').all(|asked| parts.next() == Some(asked))
+}
+
+/// Repeats the reference runs of a folder on our machine, each on one thread: those of `rows` (`SET`, `SET/VARIANT` or
+/// `SET/VARIANT/TMS`), or all if it is empty.
 ///
 /// # Errors
-/// The folder cannot be read, or a run fails.
-pub fn validate(folder: &Path, progress: &dyn Progress) -> anyhow::Result<Validation> {
+/// The folder cannot be read or has nothing to run, there is no such row, or a run fails.
+pub fn validate(folder: &Path, rows: &[String], progress: &dyn Progress) -> anyhow::Result<Validation> {
     let reference = ReferenceRuns::read(folder)?;
-    let part = Part::begin(progress, reference.runs.len() as u64, "validating");
-    let one = |run| {
+    for row in rows {
+        ensure!(
+            reference.runs.iter().any(|run| is_meant(row, run)),
+            "--row {row}: {} has no such row; write SET, SET/VARIANT or SET/VARIANT/TMS as its columns have them",
+            folder.join(TABLE).display()
+        );
+    }
+    let meant = |run: &&ReferenceRun| rows.is_empty() || rows.iter().any(|row| is_meant(row, run));
+    let (mut present, mut absent) = (vec![], vec![]);
+    for run in reference.runs.iter().filter(meant) {
+        match reference.lacks(run) {
+            None => present.push(run),
+            Some(reason) => absent.push(AbsentRun {
+                set: run.set.clone(),
+                variant: run.variant.clone(),
+                tms: run.tms,
+                reason,
+            }),
+        }
+    }
+    if present.is_empty() {
+        let reason = absent.first().map_or("its table has no row", |absent| &absent.reason);
+        bail!("{}: there is nothing to validate: {reason}", folder.display());
+    }
+    let part = Part::begin(progress, present.len() as u64, "validating");
+    let one = |run: &&ReferenceRun| {
         // Within a pool of one thread, the simulation of a large machine stays on one thread.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
         let validated = pool.install(|| reference.validate(run))?;
         part.advance(1);
         Ok(validated)
     };
-    let runs: Vec<ValidatedRun> = reference.runs.par_iter().map(one).collect::<anyhow::Result<_>>()?;
-    Ok(Validation { runs })
+    let runs: Vec<ValidatedRun> = present.par_iter().map(one).collect::<anyhow::Result<_>>()?;
+    Ok(Validation { runs, absent })
 }

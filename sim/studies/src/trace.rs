@@ -1,8 +1,9 @@
 //! Traces a saved stream of rays for closest hits.
 
-use crate::input::{SceneSource, StructureSource, check_writable, display};
+use crate::input::{SceneSource, StructureSource, check_outputs, display};
 use crate::progress::{Part, Progress};
 use crate::work::ClassRow;
+use anyhow::ensure;
 use golden::structure::Structure;
 use golden::traverse::{Counters, Trace};
 use golden::{Mode, Ray, TraversalRay};
@@ -55,7 +56,6 @@ pub struct Traced {
     pub bytes: u64,
     pub stack_depth: u32,
     pub classes: Vec<ClassRow>,
-    pub out: Option<String>,
 }
 
 /// Traces all rays for their hits, which is timed, and then once more to count the work.
@@ -63,10 +63,10 @@ pub struct Traced {
 /// # Errors
 /// The rays, the scene or the structure cannot be loaded, or the hits cannot be written.
 pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Traced> {
-    if let Some(out) = &options.out {
-        check_writable("--out", out, options.force)?;
-    }
+    let inputs = [Some(options.rays.as_path()), options.scene.path(), options.structure.file.as_deref()];
+    check_outputs(&[("--out", options.out.as_deref())], &inputs, options.force)?;
     let stream = read_rays(&options.rays)?;
+    ensure!(!stream.rays.is_empty(), "{}: the file holds no ray to trace", options.rays.display());
     let scene = options.scene.load(progress)?;
     let structure = options.structure.load(&scene, progress)?;
     let mode = options.mode;
@@ -100,7 +100,6 @@ pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Traced>
         bytes: all.bytes,
         stack_depth: all.stack_depth,
         classes: classes.iter().map(|(class, totals)| ClassRow::new(*class, totals, true)).collect(),
-        out: options.out.as_deref().map(display),
     })
 }
 

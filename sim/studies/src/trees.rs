@@ -1,6 +1,6 @@
 //! Sizes, costs and histograms of all structures over a scene. One of the structures can be saved.
 
-use crate::input::{Built, SceneSource, check_writable, display, quality_name};
+use crate::input::{Built, SceneSource, check_outputs, display, quality_name};
 use crate::progress::{Part, Progress};
 use anyhow::Context;
 use golden::build::{BuildOptions, Quality};
@@ -50,6 +50,9 @@ pub struct Options {
     pub scene: SceneSource,
     /// How the trees are built.
     pub quality: Quality,
+    /// Builds the dual-split tree of a partition of its own, which takes several times as long as the others, although it is not
+    /// saved.
+    pub scratch: bool,
     /// The kind of a tree, and the file that it is saved to.
     pub save: Option<(TreeKind, PathBuf)>,
     /// Replaces a file that exists.
@@ -69,7 +72,7 @@ pub struct Trees {
     pub duplicates: usize,
     pub quality: &'static str,
     pub structures: Vec<StructureRow>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip)]
     pub saved: Option<String>,
 }
 
@@ -154,16 +157,17 @@ fn converted(built: &Built, kind: StructureKind) -> anyhow::Result<(Structure, S
 /// # Errors
 /// The scene cannot be loaded, a tree cannot be built, or the file cannot be written.
 pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Trees> {
-    if let Some((_, file)) = &options.save {
-        check_writable("--save", file, options.force)?;
-    }
+    let save = options.save.as_ref().map(|(_, file)| file.as_path());
+    check_outputs(&[("--save", save)], &[options.scene.path()], options.force)?;
     let scene = options.scene.load(progress)?;
     let MeshReport { bounds, degenerate, duplicates, .. } = MeshReport::new(&scene.mesh);
     let Bounds { min, max } = bounds.context("the scene has no triangle")?;
     let quality = options.quality;
     let partition = Built::new(&scene, quality, progress)?;
     let mut structures = vec![];
-    for kind in TreeKind::ALL {
+    let saved = options.save.as_ref().map(|(kind, _)| *kind);
+    let wanted = |kind: &TreeKind| *kind != TreeKind::DstScratch || options.scratch || saved == Some(*kind);
+    for kind in TreeKind::ALL.into_iter().filter(wanted) {
         let (structure, described) = match kind {
             TreeKind::Converted(kind) => converted(&partition, kind)?,
             TreeKind::DstScratch => {

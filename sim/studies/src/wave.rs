@@ -1,9 +1,9 @@
 //! The waveform of a unit that processes a scene's rays.
 
 use crate::drive::{self, Traversals};
-use crate::input::{Built, SceneSource, check_writable};
+use crate::input::{Built, SceneSource, check_outputs, display};
 use crate::progress::Progress;
-use anyhow::bail;
+use anyhow::{bail, ensure};
 use base::output::write_file;
 use golden::build::Quality;
 use golden::{Mode, Ray, TraversalRay};
@@ -41,7 +41,8 @@ pub struct Wave {
     pub rays: usize,
     pub operations: usize,
     pub cycles: usize,
-    pub path: PathBuf,
+    #[serde(skip)]
+    pub path: String,
 }
 
 /// Writes the waveform.
@@ -49,7 +50,9 @@ pub struct Wave {
 /// # Errors
 /// The scene cannot be loaded, no ray has a direction, or the file cannot be written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Wave> {
-    check_writable("--out", &args.out, args.force)?;
+    let is_fst = args.out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fst"));
+    ensure!(!is_fst, "--out {}: waveforms are VCD files; end the name in .vcd", args.out.display());
+    check_outputs(&[("--out", Some(&args.out))], &[args.scene.path()], args.force)?;
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let rays: Vec<TraversalRay> =
@@ -66,7 +69,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Wave> {
         rays: rays.len(),
         operations,
         cycles: cycles.len(),
-        path: args.out.clone(),
+        path: display(&args.out),
     };
     write_file(&args.out, args.force, |out| {
         netlist::wave::write(&netlist, cycles, pipelines::words::decoder, out)

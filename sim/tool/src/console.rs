@@ -2,38 +2,74 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
+use std::ffi::OsString;
 use std::io::{self, Write};
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard};
+use std::time::{Duration, Instant};
 use studies::progress::Progress;
 
-pub use studies::table::{fixed, table};
+pub use studies::table::{fixed, number, table};
 
 /// The result of a command, as JSON and as text.
 pub struct Report {
+    /// The document without what all documents have in common.
     json: String,
+    /// The files that were written.
+    artifacts: Vec<String>,
     text: String,
     /// Whether a check found a difference.
     pub difference: bool,
 }
 
 impl Report {
-    /// A report with the JSON document `json` and the equivalent `text`.
+    /// A report with the JSON document `json`, the equivalent `text`, and the files that were written.
     ///
     /// # Panics
-    /// If `json` has no JSON form, which is a mistake of the caller.
-    pub fn new(json: &impl Serialize, text: String) -> Self {
+    /// If `json` has no JSON form or is no object, which is a mistake of the caller.
+    pub fn new(json: &impl Serialize, text: String, artifacts: Vec<String>) -> Self {
         let json = serde_json::to_string_pretty(json).expect("results have string keys");
-        Self { json, text, difference: false }
+        assert!(json.starts_with("{\n"), "results are objects with keys");
+        Self { json, artifacts, text, difference: false }
     }
 
     /// The document if `json` is set, else the text. Either ends in a line break.
-    pub fn render(&self, json: bool) -> String {
-        let mut out = if json { self.json.clone() } else { self.text.clone() };
+    ///
+    /// Every document begins with the version of the tool, the `command` that made it, and the paths of the files that it wrote.
+    pub fn render(&self, json: bool, command: &str) -> String {
+        let mut out = self.text.clone();
+        if json {
+            let text = |value: &str| serde_json::to_string(value).expect("a text has a JSON form");
+            let paths: Vec<String> =
+                self.artifacts.iter().map(|path| format!("\n    {}", text(path))).collect();
+            let end = if paths.is_empty() { "" } else { "\n  " };
+            out = format!(
+                "{{\n  \"version\": {},\n  \"command\": {},\n  \"artifacts\": [{}{end}],{}",
+                text(env!("CARGO_PKG_VERSION")),
+                text(command),
+                paths.join(","),
+                &self.json[1..]
+            );
+        }
         if !out.ends_with('\n') {
             out.push('\n');
         }
         out
     }
+}
+
+/// The command line `words` as documents record it: without the options that no result depends on.
+pub fn command(words: impl IntoIterator<Item = OsString>) -> String {
+    let mut kept = vec![];
+    let mut words = words.into_iter().map(|word| word.to_string_lossy().into_owned());
+    while let Some(word) = words.next() {
+        match word.as_str() {
+            "--threads" => _ = words.next(),
+            "--json" | "--force" => {}
+            text if text.starts_with("--threads=") => {}
+            _ => kept.push(word),
+        }
+    }
+    kept.join(" ")
 }
 
 /// Writes `text` to stdout. A closed pipe is no error.
@@ -45,22 +81,73 @@ pub fn print(text: &str) -> io::Result<()> {
     }
 }
 
-/// Progress bars and spinners on stderr, hidden if that is not a terminal. Reports move the last of them.
-#[derive(Default)]
-pub struct Bars(Mutex<Vec<ProgressBar>>);
-
-impl Bars {
-    fn last(&self, act: impl FnOnce(&ProgressBar)) {
-        if let Some(bar) = self.0.lock().expect("no bar panics").last() {
-            act(bar);
+/// The message of `error` with its causes, without those that it already quotes.
+pub fn message(error: &anyhow::Error) -> String {
+    let mut message = String::new();
+    for cause in error.chain().map(ToString::to_string) {
+        if message.is_empty() {
+            message = cause;
+        } else if !message.contains(&cause) {
+            message = format!("{message}: {cause}");
         }
     }
+    message
+}
+
+/// Lets a signal that ends the program first remove temporary files.
+pub fn end_at_signals() {
+    // Without a handler, a signal ends the program as well.
+    let _ = ctrlc::set_handler(|| {
+        base::output::remove_unfinished();
+        std::process::exit(130)
+    });
+}
+
+/// How often progress is printed where stderr is no terminal.
+const SPEAKS_EVERY: Duration = Duration::from_secs(30);
+
+/// Progress bars and spinners on stderr; lines from time to time if that is no terminal. Reports move the last of them.
+#[derive(Default)]
+pub struct Bars(Mutex<Shown>);
+
+#[derive(Default)]
+struct Shown {
+    bars: Vec<ProgressBar>,
+    /// When the last line was printed, or the first bar began.
+    spoke: Option<Instant>,
+}
+
+impl Bars {
+    fn shown(&self) -> MutexGuard<'_, Shown> {
+        self.0.lock().expect("no bar panics")
+    }
+
+    fn last(&self, act: impl FnOnce(&ProgressBar)) {
+        let mut shown = self.shown();
+        let Some(bar) = shown.bars.last() else { return };
+        act(bar);
+        if let Some(line) = bar.is_hidden().then(|| line(bar))
+            && shown.spoke.is_some_and(|spoke| spoke.elapsed() >= SPEAKS_EVERY)
+        {
+            shown.spoke = Some(Instant::now());
+            eprintln!("{line}");
+        }
+    }
+}
+
+/// What a bar shows, as a line.
+fn line(bar: &ProgressBar) -> String {
+    let (done, length, elapsed) = (bar.position(), bar.length().unwrap_or(0), bar.elapsed());
+    let left = elapsed.as_secs_f64() * length.saturating_sub(done) as f64 / done.max(1) as f64;
+    format!("{}: {done} of {length} in {} s, about {left:.0} s left", bar.message(), elapsed.as_secs())
 }
 
 impl Progress for Bars {
     fn begin(&self, total: u64, what: &str) {
         let bar = if total == 0 { spinner(what) } else { bar(total, what) };
-        self.0.lock().expect("no bar panics").push(bar);
+        let mut shown = self.shown();
+        shown.spoke.get_or_insert_with(Instant::now);
+        shown.bars.push(bar);
     }
 
     fn advance(&self, steps: u64) {
@@ -76,7 +163,7 @@ impl Progress for Bars {
     }
 
     fn note(&self, line: &str) {
-        match self.0.lock().expect("no bar panics").last() {
+        match self.shown().bars.last() {
             // A hidden bar prints nothing.
             Some(bar) if !bar.is_hidden() => bar.println(line),
             _ => eprintln!("{line}"),
@@ -84,15 +171,15 @@ impl Progress for Bars {
     }
 
     fn end(&self) {
-        if let Some(bar) = self.0.lock().expect("no bar panics").pop() {
+        if let Some(bar) = self.shown().bars.pop() {
             bar.finish_and_clear();
         }
     }
 }
 
 fn bar(length: u64, label: &str) -> ProgressBar {
-    let style =
-        ProgressStyle::with_template("{msg:28} {bar:30} {pos}/{len} {elapsed}").expect("a valid template");
+    let style = ProgressStyle::with_template("{msg:28} {bar:30} {pos}/{len} {elapsed}, about {eta} left")
+        .expect("a valid template");
     ProgressBar::new(length).with_style(style).with_message(label.to_owned())
 }
 
@@ -100,4 +187,41 @@ fn spinner(label: &str) -> ProgressBar {
     let bar = ProgressBar::new_spinner().with_message(label.to_owned());
     bar.enable_steady_tick(std::time::Duration::from_millis(120));
     bar
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use anyhow::{Context, anyhow};
+
+    #[test]
+    fn a_cause_is_said_once() {
+        let error: anyhow::Error =
+            Err::<(), _>(anyhow!("no space")).context("a.txt: cannot write (no space)").unwrap_err();
+        assert_eq!(message(&error), "a.txt: cannot write (no space)");
+        assert_eq!(message(&error.context("--out")), "--out: a.txt: cannot write (no space)");
+    }
+
+    #[test]
+    fn every_document_says_what_made_it() {
+        let body = std::collections::BTreeMap::from([("x", 1)]);
+        let report = Report::new(&body, String::new(), vec!["a \"b\"".to_owned(), "c".to_owned()]);
+        let document: serde_json::Value = serde_json::from_str(&report.render(true, "tree -")).unwrap();
+        assert_eq!(document["artifacts"], serde_json::json!(["a \"b\"", "c"]));
+        assert_eq!((&document["command"], &document["x"]), (&"tree -".into(), &1.into()));
+    }
+
+    #[test]
+    fn commands_are_recorded_without_what_changes_no_result() {
+        let words =
+            "tree a.obj --threads 2 --json --threads=3 --force --quality fast".split(' ').map(OsString::from);
+        assert_eq!(command(words), "tree a.obj --quality fast");
+    }
+
+    #[test]
+    fn lines_say_how_long_it_takes() {
+        let hidden = ProgressBar::hidden().with_message("runs").with_position(2);
+        hidden.set_length(8);
+        assert!(line(&hidden).starts_with("runs: 2 of 8 in 0 s, about 0 s left"), "{}", line(&hidden));
+    }
 }

@@ -8,9 +8,11 @@ use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    console::end_at_signals();
     let cli = cli::Cli::parse();
+    let command = console::command(std::env::args_os().skip(1));
     match commands::run(&cli) {
-        Ok(report) => match console::print(&report.render(cli.global.json)) {
+        Ok(report) => match console::print(&report.render(cli.global.json, &command)) {
             Ok(()) if report.difference => ExitCode::from(1),
             Ok(()) => ExitCode::SUCCESS,
             Err(error) => fail(&error.into()),
@@ -22,6 +24,6 @@ fn main() -> ExitCode {
 /// Writes one line to stderr, unless that is closed, and returns exit code 2.
 fn fail(error: &anyhow::Error) -> ExitCode {
     use std::io::Write;
-    let _ = writeln!(std::io::stderr(), "error: {error:#}");
+    let _ = writeln!(std::io::stderr(), "error: {}", console::message(error));
     ExitCode::from(2)
 }

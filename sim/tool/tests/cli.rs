@@ -31,8 +31,14 @@ fn scenes() {
 #[test]
 fn tree() {
     let work = Workplace::new();
-    let document = work.json("tree scene.obj");
-    has_keys(&document, &["scene", "triangles", "structures"]);
+    let document = work.json("tree scene.obj --scratch");
+    has_keys(&document, &["version", "command", "artifacts", "scene", "triangles", "structures"]);
+    assert_eq!(document["command"], "tree scene.obj --scratch");
+    assert_eq!(
+        work.json("tree scene.obj")["structures"].as_array().unwrap().len(),
+        5,
+        "the slow one is asked for"
+    );
     assert_eq!(document["triangles"], 6);
     let structures = document["structures"].as_array().unwrap();
     let names: Vec<_> = structures.iter().map(|s| s["name"].as_str().unwrap()).collect();
@@ -67,7 +73,7 @@ fn saved_trees() {
     work.json("trace scene.obj --rays a.rays --out built.hits");
     for structure in ["bvh2", "bvh4", "bvh8", "bvh16", "dst", "dst_scratch"] {
         let document = work.json(&format!("tree scene.obj --save {structure}.tree --structure {structure}"));
-        assert_eq!(document["saved"], format!("{structure}.tree"));
+        assert_eq!(document["artifacts"], serde_json::json!([format!("{structure}.tree")]));
         let trace = work
             .json(&format!("trace scene.obj --rays a.rays --tree {structure}.tree --out {structure}.hits"));
         assert_eq!(trace["structure"], structure.trim_end_matches("_scratch"));
@@ -330,7 +336,7 @@ fn reproduce() {
     let before: Vec<_> = paths.iter().map(|path| work.read(path)).collect();
     work.write("out/mine.txt", b"mine");
     assert_eq!(artifacts("reproduce --preset smoke --threads 1"), paths);
-    let timed = ["trees.csv", "results.json", "index.html", "/stages/", "/fidelity/"];
+    let timed = ["results.json", "index.html", "/stages/", "/fidelity/"];
     for (path, before) in paths.iter().zip(before) {
         if !timed.iter().any(|part| path.contains(part)) {
             assert!(work.read(path) == before, "{path}");

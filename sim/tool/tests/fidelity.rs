@@ -107,6 +107,34 @@ fn the_analytic_bound_is_below_the_machine_in_every_structure() {
     }
 }
 
+/// A small version of the table of `docs/fidelity.md`.
+#[test]
+fn the_queueing_level_is_as_close_as_it_says_in_every_structure() {
+    for structure in MachineStructure::ALL {
+        for (scene, test) in [("atrium", Test::Raycast), ("courtyard", Test::Path)] {
+            let prepared = Prepared::new(scene, 0.005, structure, test, 32);
+            let estimate = prepared.estimate(Level::Queueing, &Sample::ALL);
+            let machine = prepared.estimate(Level::Transaction, &Sample::ALL);
+            let what = format!("{structure} {scene}");
+            assert!(
+                estimate.frame_ms.covers(machine.frame_ms.value),
+                "{what}: {:?} {:?}",
+                estimate.frame_ms,
+                machine.frame_ms
+            );
+            assert!(estimate.energy_mj.covers(machine.energy_mj.value), "{what}");
+            assert_eq!(estimate.counts.runs, machine.counts.runs, "{what}");
+            assert_eq!(estimate.totals, machine.totals, "{what}");
+            assert!(!estimate.is_whole());
+            let classes = |e: &Estimate| e.counts.thread_cycles.total() as f64 / f64::from(e.counts.cycles);
+            assert!(
+                (classes(&estimate) - classes(&machine)).abs() < 1e-3,
+                "{what}: each thread-cycle is in a class"
+            );
+        }
+    }
+}
+
 /// A small version of the experiment of `docs/fidelity.md`. If the timed pixels, with cold start and end, stand for the rest
 /// without correction, the error is several times as large.
 #[test]

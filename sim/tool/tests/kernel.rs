@@ -2,6 +2,7 @@
 
 mod support;
 
+use machine::description::NodeLayout;
 use machine::frame::MachineStructure;
 use machine::kernels;
 use serde_json::Value;
@@ -22,7 +23,7 @@ const SOME: [MachineStructure; 4] = [
 /// The document without what names the program and the host's time.
 fn quantities(document: &Value) -> Value {
     let mut document = document.clone();
-    for key in ["kernel", "seconds", "simulated_rays_per_second"] {
+    for key in ["command", "kernel", "seconds", "simulated_rays_per_second"] {
         document.as_object_mut().unwrap().remove(key);
     }
     document
@@ -71,7 +72,11 @@ fn a_program_in_c_of_ours_is_timed_as_ours() {
         let own = work.json(&format!("{SIMULATE} --structure {structure} --kernel mine.c"));
         assert_eq!(quantities(&own), quantities(&ours), "{structure}");
         // Its listing is the one that comes with the tool.
-        let listing = kernels::FILES.iter().find(|(_, content)| *content == structure.listing()).unwrap().0;
+        let listing = kernels::FILES
+            .iter()
+            .find(|(_, content)| *content == structure.listing(NodeLayout::default()))
+            .unwrap()
+            .0;
         let read = work.json(&format!("{SIMULATE} --structure {structure} --kernel own/{listing}"));
         assert_eq!(own["kernel"]["sha256"], read["kernel"]["sha256"], "{structure}");
     }
@@ -142,6 +147,9 @@ fn what_a_program_does_wrong_names_file_and_line() {
     for (body, words) in [
         ("    div $2, $3", &["line 8: cannot decode `div $2, $3`: the machine has no such instruction"][..]),
         ("    jal memset", &["line 8", "there are no calls"]),
+        ("    .frobnicate 3", &["line 8: unknown directive `.frobnicate`"]),
+        ("    sll $6, $5, 32", &["line 8: cannot decode `sll $6, $5, 32`: 32 is not in 0..32"]),
+        ("    addiu $6, $5, 40000", &["line 8", "40000 is not in -32768..32768"]),
         (
             "    addiu $6, $zero, -1\n    LOAD $6, $6, 0",
             &["line 9, in item 0", "outside memory", "`LOAD $6, $6, 0`"],
@@ -239,7 +247,7 @@ fn refused() {
     work.refused("simulate --dump-kernels own", &["own", "--force"]);
     work.write("own/dst.s", b"mine");
     work.json("simulate --dump-kernels own --force");
-    assert_eq!(work.read("own/dst.s"), MachineStructure::Dst.listing().as_bytes());
+    assert_eq!(work.read("own/dst.s"), MachineStructure::Dst.listing(NodeLayout::default()).as_bytes());
     for (line, words) in [
         ("simulate --validate own --kernel own/dst.s", &["--kernel", "--validate"][..]),
         ("simulate --dump-config --kernel own/dst.s", &["--kernel", "--dump-config"]),
@@ -260,4 +268,32 @@ fn refused() {
     work.refused("simulate scene.obj --kernel paths.s", &["paths.s, line ", "on all paths"]);
     work.write("long.s", program(&"    nop\n".repeat(9000)).as_bytes());
     work.refused("simulate scene.obj --kernel long.s", &["long.s, line 8195", "more than 8192 instructions"]);
+}
+
+/// A compiler that fails says what it was given: the folders of the program come before the shipped sources. One that writes nothing
+/// is named.
+#[test]
+#[cfg(unix)]
+fn the_compiler_gets_the_programs_folders_first() {
+    use std::os::unix::fs::PermissionsExt;
+    let work = with_dumped();
+    work.write("failing", b"#!/bin/sh\necho \"$@\" >&2\nexit 1\n");
+    std::fs::set_permissions(work.path("failing"), std::fs::Permissions::from_mode(0o755)).unwrap();
+    let with_compiler = |compiler: &str| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_dualsplit"))
+            .args(SIMULATE.split(' '))
+            .args(["--kernel", "own/examples/no-t-min.c"])
+            .env("CLANG", compiler)
+            .current_dir(work.path("."))
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let said = with_compiler("./failing");
+    let places =
+        ["-I own/examples", "-I own/examples/..", "include"].map(|word| said.find(word).expect(word));
+    assert!(places.is_sorted(), "{said}");
+    let said = with_compiler("true");
+    assert!(said.contains("CLANG") && said.contains("wrote no listing"), "{said}");
 }

@@ -7,7 +7,7 @@ use golden::structure::{Structure, pack_triangles};
 use machine::description::MachineDescription;
 use machine::frame::{FrameMachine, MachineStructure, frame};
 use machine::reference::ReferenceRuns;
-use machine::results::Results;
+use machine::results::{Results, Tally};
 use render::{RenderOptions, Test, render};
 use scenes::Scene;
 
@@ -42,8 +42,8 @@ impl Prepared {
         let set_up = FrameMachine::new(machine, structure, estimate::by_name(Method::Published)).unwrap();
         let golden = self.structure(structure);
         let frame = frame(&set_up, &self.scene, &golden, options, |_| {}).unwrap();
-        let results =
-            Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts);
+        let tally = Tally::new(&frame.program, &frame.counts);
+        let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &tally);
         (frame, results.unwrap())
     }
 }
@@ -106,8 +106,7 @@ fn larger_caches_never_fetch_more_and_more_threads_are_not_slower() {
     let run = |settings: &[&str]| prepared.run(&machine(settings), MachineStructure::Bvh2, &options).1;
     // A cache that holds all lines fetches each line once, whatever its size.
     let one = ["chip.l2_partitions=1", "chip.tms_per_partition=1", "l2.associativity=16"];
-    let cost = ["l2.area_mm2=1.0", "l2.energy_nj=1.0"];
-    let reads = |size: &str| run(&[one[0], one[1], one[2], cost[0], cost[1], size]).dram.counts.reads;
+    let reads = |size: &str| run(&[one[0], one[1], one[2], size]).dram.counts.reads;
     let (large, larger) = (reads("l2.size=4MiB"), reads("l2.size=16MiB"));
     assert_eq!(large, larger);
     assert!(reads("l2.size=32KiB") > large);
@@ -143,6 +142,8 @@ fn every_quantity_has_a_meaning_and_its_bytes_do_not_depend_on_the_host() {
     assert!((energy / results.energy_mj.total - 1.0).abs() < 1e-12, "{energy} mJ");
     let groups = results.energy_groups_mj;
     assert!(((groups.dram + groups.cache + groups.compute) / energy - 1.0).abs() < 1e-12);
+    let storage = results.energy_storage_mj;
+    assert!(((storage.dram + storage.on_chip + storage.execution) / energy - 1.0).abs() < 1e-12);
     let mut names: Vec<String> = vec![];
     for quantity in results.quantities(frame.rays) {
         assert!(!quantity.meaning.is_empty() && quantity.value.is_finite(), "{quantity:?}");

@@ -172,8 +172,9 @@ fn needs() {
     let toml = String::from_utf8(work.read("needs/needs.toml")).unwrap();
     assert!(toml.contains(&format!("significand_bits = {}", document["significand_bits"])), "{toml}");
     // The machine file and the export format that the command proposes are valid.
-    let machine = work.json("simulate --dump-config --machine needs/machine.toml");
+    let machine = work.json("simulate --dump-config --machine needs/needs.toml");
     assert_eq!(machine["name"], "scene-needs");
+    assert_eq!(machine["needs"]["significand_bits"], document["significand_bits"]);
     let format = document["export_format"].as_str().unwrap();
     work.json(&format!("export --unit fp_add --format {format} --out rtl"));
     let naive = work.json("needs scene.obj --size 24x24 --variant naive --max-extra-visits 10 --out naive");
@@ -181,4 +182,26 @@ fn needs() {
     let chosen = sweep.iter().find(|p| p["significand_bits"] == naive["significand_bits"]).unwrap();
     assert_eq!((&chosen["false_misses"], &chosen["rmse"]), (&0.into(), &0.0.into()));
     work.refused("needs scene.obj --max-image-error=-1", &["--max-image-error", "not negative"]);
+}
+
+/// Whatever a scene needs, the machine that `needs` writes can be simulated.
+#[test]
+fn needs_write_a_machine_that_simulate_takes() {
+    let work = Workplace::new();
+    for entry in scenes::procedural::CATALOGUE {
+        let scene = format!("{} --detail 0.0005 --size 8x8 --quality fast", entry.name);
+        let out = format!("needs-{}", entry.name);
+        let needs = work.json(&format!("needs {scene} --out {out}"));
+        let run = work.json(&format!("simulate {scene} --machine {out}/needs.toml"));
+        assert_eq!(run["machine"], format!("{}-needs", entry.name));
+        let l1 = work.json(&format!("simulate --dump-config --machine {out}/needs.toml"))["l1"].clone();
+        assert_eq!(l1["size"], bytes(needs["cache_bytes"].as_u64().unwrap().max(1024)), "{}", entry.name);
+        let source = run["cache_costs"]["l1"]["energy_source"].as_str().unwrap();
+        assert!(source.starts_with("published") || source.starts_with("modelled"), "{source}");
+    }
+}
+
+/// A power of two of bytes, at least 1 KiB, as a machine file has it.
+fn bytes(bytes: u64) -> String {
+    if bytes < 1 << 20 { format!("{}KiB", bytes >> 10) } else { format!("{}MiB", bytes >> 20) }
 }

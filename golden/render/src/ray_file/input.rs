@@ -2,19 +2,19 @@
 
 use super::{RayFileErrorKind, WAVES_MAGIC, class_of_code};
 use crate::{RayClass, Wave};
-use std::io::{self, Read};
+use std::io::{self, BufRead};
 
 /// Elements that are read at once, so that a damaged count does not ask for all memory.
 const CHUNK: usize = 1 << 16;
 
 /// A source that knows its place.
 pub struct Input {
-    source: Box<dyn Read>,
+    source: Box<dyn BufRead>,
     offset: u64,
 }
 
 impl Input {
-    pub fn new(source: Box<dyn Read>) -> Self {
+    pub fn new(source: Box<dyn BufRead>) -> Self {
         Self { source, offset: 0 }
     }
 
@@ -29,7 +29,10 @@ impl Input {
                 // A compressed stream that is cut off; the offset is that of the uncompressed file.
                 Err(e) if e.kind() == io::ErrorKind::UnexpectedEof => {
                     let offset = self.offset + filled as u64;
-                    return Err(RayFileErrorKind::Truncated { offset, part: "its xz stream".to_owned() });
+                    return Err(RayFileErrorKind::Truncated {
+                        offset,
+                        part: "its compressed stream".to_owned(),
+                    });
                 }
                 Err(source) => {
                     return Err(RayFileErrorKind::Read { offset: self.offset + filled as u64, source });

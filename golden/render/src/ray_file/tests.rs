@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::Wave;
+use base::input::XZ_MAGIC;
 
 fn stream() -> RayStream {
     let ray = |i: u32| Ray {

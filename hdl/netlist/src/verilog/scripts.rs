@@ -22,18 +22,24 @@ pub fn yosys(design: &Design) -> String {
     )
 }
 
+/// `x` with three decimals, or with as many as it takes.
+fn decimal(x: f64) -> String {
+    let short = format!("{x:.3}");
+    if short.parse() == Ok(x) { short } else { x.to_string() }
+}
+
 /// A timing constraint for a clock of `period_ns`: a fifth of the period outside the module on either side.
 #[must_use]
 pub fn constraint(design: &Design, period_ns: f64) -> String {
-    let delay = period_ns / 5.0;
+    let (period, delay) = (decimal(period_ns), decimal(period_ns / 5.0));
     let top = design.top();
     match top.clock {
         Some(_) => format!(
-            "create_clock -name {CLOCK} -period {period_ns:.3} [get_ports {CLOCK}]\n\
-             set_input_delay -clock {CLOCK} {delay:.3} [remove_from_collection [all_inputs] [get_ports {CLOCK}]]\n\
-             set_output_delay -clock {CLOCK} {delay:.3} [all_outputs]\n"
+            "create_clock -name {CLOCK} -period {period} [get_ports {CLOCK}]\n\
+             set_input_delay -clock {CLOCK} {delay} [remove_from_collection [all_inputs] [get_ports {CLOCK}]]\n\
+             set_output_delay -clock {CLOCK} {delay} [all_outputs]\n"
         ),
-        None => format!("set_max_delay {period_ns:.3} -from [all_inputs] -to [all_outputs]\n"),
+        None => format!("set_max_delay {period} -from [all_inputs] -to [all_outputs]\n"),
     }
 }
 

@@ -6,8 +6,9 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::source::{FREE_BYTES, MOST_XZ_MEMORY, RATIO};
+use super::MOST_BYTES;
 use crate::mesh::{MAX_COORDINATE, MAX_TRIANGLES};
+use base::input::{FREE_BYTES, Limit, MOST_XZ_MEMORY, RATIO};
 
 /// A rejected file. Its message is `FILE: what is wrong; what to do`, with the line or the element after the file.
 #[derive(Debug, Error)]
@@ -64,6 +65,14 @@ pub enum FormatErrorKind {
         FREE_BYTES >> 20
     )]
     Expands,
+    /// The file is said to be of a format, and is of another.
+    #[error(
+        "--format {0}, but the file begins as a file of the format {1} does; leave --format away, or write --format {1}"
+    )]
+    OtherFormat(&'static str, &'static str),
+    /// The file, unpacked, has more bytes than its reader takes.
+    #[error("more than {} MiB; split the model into several files", MOST_BYTES >> 20)]
+    TooManyBytes,
     /// The xz stream needs more memory than the limit.
     #[error(
         "unpacking the xz stream takes more than {} MiB of memory; compress the file with a preset of `xz`, such as `xz -9`",
@@ -138,11 +147,11 @@ pub enum FormatErrorKind {
 impl FormatErrorKind {
     /// What an error of the reading itself means.
     pub(super) fn reading(error: io::Error) -> Self {
-        use super::source::Limit;
         match error.get_ref().and_then(|inner| inner.downcast_ref::<Limit>()) {
             Some(Limit::Expands) => return Self::Expands,
             Some(Limit::XzMemory) => return Self::XzMemory,
             Some(Limit::Line) => return Self::NotText("more than 64 MiB"),
+            Some(Limit::Bytes(_)) => return Self::TooManyBytes,
             None => {}
         }
         match error.kind() {

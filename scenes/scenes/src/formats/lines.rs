@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead};
 
-use super::source::Limit;
+use base::input::Limit;
 
 /// Most bytes of a line. A longer one is no text, and might not end.
 const MOST_BYTES: usize = 64 << 20;

@@ -10,18 +10,18 @@ pub mod obj;
 mod ply;
 pub(crate) mod polygons;
 pub(crate) mod report;
-mod source;
 mod stl;
 mod write;
 
 use std::ffi::OsStr;
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 pub use write::{SaveError, save, written_format};
 
 use crate::mesh::Mesh;
+use base::input as source;
 use error::{FormatError, FormatErrorKind, Place};
 use report::FileReport;
 
@@ -88,6 +88,9 @@ const COMPRESSIONS: [&str; 2] = ["xz", "gz"];
 /// The name that stands for standard input.
 pub const STDIN: &str = "-";
 
+/// Most bytes of a file that is read as a whole: those of the largest scene as binary STL, and some more.
+pub(crate) const MOST_BYTES: u64 = 1 << 32;
+
 const BUFFER_BYTES: usize = 1 << 16;
 /// Bytes that are looked at to recognise a format.
 const SNIFFED_BYTES: usize = 512;
@@ -138,6 +141,14 @@ impl Format {
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = extension(path)?;
         FORMATS.iter().find(|entry| entry.extensions.contains(&&*extension)).map(|entry| entry.format)
+    }
+
+    /// The format of a file that begins with `start`, if no file of another format does.
+    fn certain(start: &[u8]) -> Option<Self> {
+        match Self::of_content(start) {
+            Some(Self::Gltf) if !start.starts_with(b"glTF") => None,
+            format => format.filter(|format| matches!(format, Self::Ply | Self::Gltf)),
+        }
     }
 
     /// The format of a file that begins with `start`.
@@ -225,14 +236,28 @@ pub fn read(
     folder: Option<&Path>,
     format: Option<Format>,
 ) -> Result<FileMesh, FormatError> {
-    let failed = |e| FormatErrorKind::reading(e).at(name, Place::File);
+    let at_start = |kind: FormatErrorKind| kind.at(name, Place::File);
+    let failed = |e| at_start(FormatErrorKind::reading(e));
     let source = source::unpacked(source).map_err(failed)?;
     let (start, mut source) = source::start(source, SNIFFED_BYTES).map_err(failed)?;
     let format = match format {
-        Some(format) => format,
-        None => recognise(&start, name).map_err(|kind| kind.at(name, Place::File))?,
+        Some(format) => match Format::certain(&start).filter(|certain| *certain != format) {
+            Some(certain) => {
+                return Err(at_start(FormatErrorKind::OtherFormat(format.name(), certain.name())));
+            }
+            None => format,
+        },
+        None => recognise(&start, name).map_err(at_start)?,
     };
     (format.entry().read)(Input { source: &mut source, name, folder })
+}
+
+/// All of `source`.
+///
+/// # Errors
+/// Those of `source`, and the limit [`MOST_BYTES`].
+fn whole(source: &mut dyn BufRead) -> io::Result<Vec<u8>> {
+    source::at_most(source, MOST_BYTES)
 }
 
 /// The format of a file that begins with `start`: the name decides where the content may be of several.
@@ -241,9 +266,10 @@ fn recognise(start: &[u8], name: &Path) -> Result<Format, FormatErrorKind> {
         return Err(FormatErrorKind::NotRead(foreign));
     }
     let content = Format::of_content(start);
-    let certain = start.starts_with(b"glTF") || content == Some(Format::Ply);
+    if let Some(format) = Format::certain(start) {
+        return Ok(format);
+    }
     match (content, Format::of_path(name)) {
-        (Some(format), _) if certain => Ok(format),
         (_, Some(format)) | (Some(format), None) => Ok(format),
         (None, None) => Err(FormatErrorKind::UnknownFormat),
     }

@@ -14,7 +14,7 @@ use ply_rs_bw::ply::{
 use super::error::{FormatError, FormatErrorKind, Place, check_range};
 use super::polygons::Triangulator;
 use super::report::{FileReport, Skip};
-use super::{FileMesh, Format, Input, source};
+use super::{FileMesh, Format, Input, whole};
 use crate::mesh::Mesh;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -24,7 +24,7 @@ const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
 /// Reads a PLY file.
 pub(super) fn read(input: Input<'_>) -> Result<FileMesh, FormatError> {
     let Input { source, name, .. } = input;
-    let bytes = source::whole(source).map_err(|e| FormatErrorKind::reading(e).at(name, Place::File))?;
+    let bytes = whole(source).map_err(|e| FormatErrorKind::reading(e).at(name, Place::File))?;
     let (header, payload) = Payload::of(&bytes, name)?;
     let mut report = FileReport::new(Format::Ply);
     let mut mesh = Mesh::default();

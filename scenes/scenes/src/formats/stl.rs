@@ -10,7 +10,7 @@ use std::io::Cursor;
 use super::error::{FormatError, FormatErrorKind, Place, check_range};
 use super::lines::Lines;
 use super::report::{FileReport, Skip};
-use super::{FileMesh, Format, Input, source};
+use super::{FileMesh, Format, Input, whole};
 use crate::mesh::{MAX_TRIANGLES, Mesh};
 
 const TITLE_BYTES: usize = 80;
@@ -25,7 +25,7 @@ const MOST_KEYWORD_BYTES: usize = 24;
 pub(super) fn read(input: Input<'_>) -> Result<FileMesh, FormatError> {
     let Input { source, name, .. } = input;
     let mut report = FileReport::new(Format::Stl);
-    let bytes = source::whole(source).map_err(|e| FormatErrorKind::reading(e).at(name, Place::File))?;
+    let bytes = whole(source).map_err(|e| FormatErrorKind::reading(e).at(name, Place::File))?;
     let (bytes, lines) = if is_text(&bytes) {
         let (text, lines) =
             rewritten(&bytes, &mut report).map_err(|(line, kind)| kind.at(name, Place::Line(line)))?;

@@ -95,6 +95,9 @@ fn the_format_is_recognised_by_content_where_no_name_says_it() {
     // What is certain of the content wins over the name.
     assert_eq!(named(&written("a.ply"), "a.obj").unwrap().mesh, square());
     assert_refused(b"what is this", "a.data", "a.data: ", &["--format", "obj, ply, stl, gltf"]);
+    let ply =
+        read(&written("a.ply")[..], Path::new("a.ply"), None, Some(Format::Obj)).unwrap_err().to_string();
+    assert!(ply.starts_with("a.ply: --format obj, but") && ply.contains("--format ply"), "{ply}");
     assert_refused(b"", "a.data", "a.data: ", &["--format"]);
     assert_refused(b"Kaydara FBX Binary  \0", "a.obj", "a.obj: FBX", &["not read", "ply"]);
     assert_refused(b"PK\x03\x04", "a.data", "a.data: zip", &["not read"]);

@@ -3,6 +3,9 @@
 /// Most inputs of a cell.
 pub const MAX_INPUTS: usize = 6;
 
+/// Most signs and parentheses around a place: reading takes a stack in proportion.
+const MOST_DEPTH: u32 = 64;
+
 /// The truth table of input `i` alone.
 #[must_use]
 pub const fn variable(i: usize) -> u64 {
@@ -29,7 +32,7 @@ pub const fn depends_on(table: u64, input: usize) -> bool {
 /// product where two operands follow each other. `None` if it is no such expression.
 #[must_use]
 pub fn parse(text: &str, inputs: &[&str]) -> Option<u64> {
-    let mut parser = Parser { rest: text.trim(), inputs };
+    let mut parser = Parser { rest: text.trim(), inputs, depth: 0 };
     let table = parser.sum()?;
     parser.rest.is_empty().then_some(table)
 }
@@ -37,6 +40,8 @@ pub fn parse(text: &str, inputs: &[&str]) -> Option<u64> {
 struct Parser<'t> {
     rest: &'t str,
     inputs: &'t [&'t str],
+    /// Signs and parentheses around this place.
+    depth: u32,
 }
 
 impl Parser<'_> {
@@ -79,6 +84,16 @@ impl Parser<'_> {
     }
 
     fn factor(&mut self) -> Option<u64> {
+        self.depth += 1;
+        if self.depth > MOST_DEPTH {
+            return None;
+        }
+        let table = self.operand();
+        self.depth -= 1;
+        table
+    }
+
+    fn operand(&mut self) -> Option<u64> {
         let mut table = if self.take(&['!', '~']) {
             return self.factor().map(|table| !table);
         } else if self.take(&['(']) {
@@ -119,6 +134,10 @@ mod tests {
         assert_eq!(parse("1"), Some(!0));
         for bad in ["", "A+", "D", "(A", "A)", "A+*C"] {
             assert_eq!(parse(bad), None, "{bad}");
+        }
+        for sign in ["!", "("] {
+            let deep = format!("{}A", sign.repeat(100_000));
+            assert_eq!(super::parse(&deep, &["A"]), None);
         }
         assert!(depends_on(a & b, 0) && depends_on(a & b, 1) && !depends_on(a & b, 2));
     }

@@ -13,6 +13,9 @@ mod sequential;
 mod syntax;
 mod table;
 
+use base::input::{at_most, unpacked};
+use std::fs::File;
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 pub use embedded::embedded;
@@ -210,20 +213,15 @@ pub fn load(paths: &[PathBuf]) -> Result<Library, LibertyError> {
     read(&named)
 }
 
-/// The text of a file, plain or gzip-compressed.
+/// Most bytes of a liberty file, unpacked. Open libraries have up to 40 MiB.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// The text of a file, plain or compressed.
 ///
 /// # Errors
 /// [`LibertyError::File`] when it cannot be read.
 pub fn file_text(path: &Path) -> Result<String, LibertyError> {
-    use std::io::Read;
-    let failed = |source| LibertyError::File { path: path.to_owned(), source };
-    let bytes = std::fs::read(path).map_err(failed)?;
-    let bytes = if bytes.starts_with(&[0x1f, 0x8b]) {
-        let mut plain = Vec::new();
-        flate2::read::GzDecoder::new(bytes.as_slice()).read_to_end(&mut plain).map_err(failed)?;
-        plain
-    } else {
-        bytes
-    };
+    let read = || at_most(unpacked(BufReader::new(File::open(path)?))?, MOST_BYTES);
+    let bytes = read().map_err(|source| LibertyError::File { path: path.to_owned(), source })?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

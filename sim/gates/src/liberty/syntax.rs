@@ -2,6 +2,9 @@
 
 use super::LibertyError;
 
+/// Most groups around a place. The format needs six, and reading takes a stack in proportion.
+const MOST_DEPTH: u32 = 32;
+
 /// A group: `kind (names) { attributes and groups }`.
 #[derive(Debug, Default)]
 pub struct Group<'t> {
@@ -38,7 +41,7 @@ impl<'t> Group<'t> {
 
 /// Reads the one group that a file is.
 pub fn parse(text: &str) -> Result<Group<'_>, LibertyError> {
-    let mut reader = Reader { text, at: 0, line: 1 };
+    let mut reader = Reader { text, at: 0, line: 1, depth: 0 };
     match reader.item()? {
         Some(Item::Group(group)) => Ok(group),
         _ => Err(reader.error("the file is no `library (...) { ... }`")),
@@ -54,6 +57,8 @@ struct Reader<'t> {
     text: &'t str,
     at: usize,
     line: usize,
+    /// Groups around this place.
+    depth: u32,
 }
 
 impl<'t> Reader<'t> {
@@ -157,6 +162,10 @@ impl<'t> Reader<'t> {
                     return Ok(Some(Item::Attribute(name, names)));
                 }
                 self.at += 1;
+                self.depth += 1;
+                if self.depth > MOST_DEPTH {
+                    return Err(self.error("groups lie more than 32 deep in each other"));
+                }
                 let mut group = Group { kind: name, names, line, ..Group::default() };
                 while let Some(item) = self.item()? {
                     match item {
@@ -168,6 +177,7 @@ impl<'t> Reader<'t> {
                     return Err(self.error("a closing brace is missing"));
                 }
                 self.at += 1;
+                self.depth -= 1;
                 Ok(Some(Item::Group(group)))
             }
             _ => Err(self.error("neither `:` nor `(` follows a name")),
@@ -189,5 +199,18 @@ impl<'t> Reader<'t> {
                 Some(_) => values.push(self.word()?),
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn deep_nesting_is_an_error_with_its_line() {
+        let nested = |depth: usize| format!("{}{}", "a (b) {\n".repeat(depth), "}\n".repeat(depth));
+        assert!(parse(&nested(MOST_DEPTH as usize)).is_ok());
+        let error = parse(&nested(20_000)).unwrap_err().to_string();
+        assert!(error.starts_with("line 33: groups lie more than 32 deep"), "{error}");
     }
 }

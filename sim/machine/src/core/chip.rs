@@ -21,6 +21,24 @@ pub enum SimulationError {
         "more than {MAX_CYCLES} cycles: lower the size of the image, or give the machine more multiprocessors"
     )]
     TooLong,
+    /// Nothing moves any more.
+    #[error(
+        "since cycle {last_issue}, no thread has executed an instruction: {waiting} threads wait, and of their requests the DRAM has \
+         served {reads} reads and {writes} writes between {refreshes} refreshes; give the DRAM shorter times in `dram.timing`, a \
+         longer `refresh_interval` or longer queues"
+    )]
+    Stuck {
+        /// The cycle of the last instruction.
+        last_issue: u32,
+        /// Threads that have not finished.
+        waiting: u32,
+        /// Reads that the DRAM has served.
+        reads: u64,
+        /// Writes that the DRAM has served.
+        writes: u64,
+        /// Refreshes of the DRAM.
+        refreshes: u64,
+    },
     /// What threads execute at the same time does not fit in memory.
     #[error(
         "the items that are under way take more than {} MiB, as they execute many instructions each: give the machine fewer threads",
@@ -34,6 +52,15 @@ pub enum SimulationError {
 
 /// The longest simulation, with a margin for the longest latency.
 const MAX_CYCLES: u32 = u32::MAX - (1 << 20);
+
+/// Cycles without an instruction after which nothing is expected to move any more: several times what the DRAM needs to empty its
+/// queues with a row for each line and a refresh between them.
+fn most_idle_cycles(machine: &MachineDescription) -> u32 {
+    let dram = &machine.dram;
+    let line = u64::from(dram.timing.turn() + dram.timing.four_activates + dram.timing.refresh);
+    let queues = u64::from(dram.read_queue + dram.write_queue);
+    (8 * line * queues).clamp(1 << 20, 1 << 30) as u32
+}
 
 /// Most words of the tapes of all threads.
 const MOST_WORDS: usize = 1 << 29;
@@ -162,7 +189,7 @@ fn time(
             seat.start(program, work, thread)?;
         }
     }
-    let mut reported = 0;
+    let (mut reported, mut looked, most_idle) = (0, 0, most_idle_cycles(machine));
     while !chip.seats.iter().all(|seat| seat.tm.is_halted()) {
         chip.quantum();
         if let Some(fault) = chip.fault {
@@ -170,6 +197,10 @@ fn time(
         }
         if chip.now > MAX_CYCLES {
             return Err(SimulationError::TooLong);
+        }
+        if chip.now - looked > most_idle {
+            looked = chip.now;
+            chip.check_moves(most_idle)?;
         }
         if chip.next_item - reported >= 256 {
             items_done(chip.next_item - reported);
@@ -255,6 +286,18 @@ impl Chip<'_> {
             }
         }
         self.now = self.next_start(end);
+    }
+
+    /// Whether a thread has executed an instruction in the last `most_idle` cycles.
+    fn check_moves(&mut self, most_idle: u32) -> Result<(), SimulationError> {
+        let running = self.seats.iter().filter(|seat| !seat.tm.is_halted());
+        let last_issue = running.map(|seat| seat.tm.last_issue()).max().unwrap_or(self.now);
+        if self.now - last_issue.min(self.now) <= most_idle {
+            return Ok(());
+        }
+        let DramCounts { reads, writes, refreshes, .. } = self.memory.dram_counts(self.now);
+        let waiting = self.seats.iter().map(|seat| seat.tm.running()).sum();
+        Err(SimulationError::Stuck { last_issue, waiting, reads, writes, refreshes })
     }
 
     /// The first cycle from `end` on in which anything can happen, at the start of a quantum.

@@ -24,4 +24,4 @@ pub use stats::ThreadCycles;
 pub use work::{Tape, Work};
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

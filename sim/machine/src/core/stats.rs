@@ -1,9 +1,10 @@
 //! What threads did, counted.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Thread-cycles of a multiprocessor by what the thread did; every thread-cycle is in exactly one class.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct ThreadCycles {
     /// An instruction other than a nop was issued.
     pub issue: u64,
@@ -11,7 +12,7 @@ pub struct ThreadCycles {
     pub data: u64,
     /// The execution unit was taken.
     pub units: u64,
-    /// A cache bank was taken or a memory queue full.
+    /// A cache bank or all miss registers were taken, or a memory queue was full.
     pub memory: u64,
     /// The instruction cache bank was taken.
     pub fetch: u64,

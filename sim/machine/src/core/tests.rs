@@ -7,17 +7,17 @@ use walk::Walk;
 
 mod slow;
 mod slow_and_fast;
-mod walk;
+pub(crate) mod walk;
 
 /// A program that gets an item, goes through `body` and gets the next.
-fn listing(body: &str) -> String {
+pub(crate) fn listing(body: &str) -> String {
     format!(
         "main:\n ATOMIC_INC $2, 0\n beqz $2, $end\n nop\n$body:\n{body}\n\
          ATOMIC_INC $2, 0\n bnez $2, $body\n nop\n$end:\n jr $ra\n nop\n"
     )
 }
 
-fn machine(settings: &[&str]) -> MachineDescription {
+pub(crate) fn machine(settings: &[&str]) -> MachineDescription {
     let settings: Vec<String> = settings.iter().map(|s| (*s).to_owned()).collect();
     MachineDescription::load("simtrax-reference", &settings).unwrap()
 }
@@ -36,7 +36,7 @@ fn cycles(settings: &[&str], body: &str) -> u32 {
     run_at(&settings, 1, body, |_| 64).cycles - none
 }
 
-fn repeat(line: &str, times: usize) -> String {
+pub(crate) fn repeat(line: &str, times: usize) -> String {
     vec![line; times].join("\n")
 }
 
@@ -52,6 +52,23 @@ fn items_that_take_too_much_memory_are_refused() {
     };
     assert!(matches!(simulated(5 << 20), Err(SimulationError::TooMuch)));
     assert!(simulated(1 << 10).is_ok());
+}
+
+/// A row that cannot be opened between two refreshes is never read. The check of descriptions refuses such a DRAM.
+#[test]
+fn a_machine_in_which_nothing_moves_stops_with_its_state() {
+    let mut machine = machine(&["tm.threads=1"]);
+    let timing = &mut machine.dram.timing;
+    (timing.refresh, timing.refresh_interval) = (1, timing.activate_to_column);
+    let program = Program::new("test", &listing("LOAD $3, $4, 0\naddu $5, $3, $3"), &machine, 8).unwrap();
+    let work = Walk { program: &program, items: 1, decide: |_, _| (false, 64) };
+    match simulate(&machine, &program, &work, |_| {}) {
+        Err(SimulationError::Stuck { waiting, reads, refreshes, .. }) => {
+            assert_eq!((waiting, reads), (machine.chip.tms(), 0));
+            assert!(refreshes > 1000);
+        }
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]

@@ -161,6 +161,11 @@ impl Tm {
         self.threads[number].state = State::Halted;
     }
 
+    /// Threads that have not finished.
+    pub fn running(&self) -> u32 {
+        self.threads.iter().filter(|thread| thread.state != State::Halted).count() as u32
+    }
+
     /// The cycle in which the last thread to finish issued its last instruction.
     pub fn last_issue(&self) -> u32 {
         self.threads.iter().map(|thread| thread.last_issue).max().unwrap_or(0)

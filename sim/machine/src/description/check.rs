@@ -64,11 +64,17 @@ impl MachineDescription {
     /// [`DescriptionError::Value`] with the first key that is out of range.
     pub(super) fn check(&self) -> Result<(), DescriptionError> {
         let Self { chip, tm, icache, .. } = self;
-        if !(self.clock_ghz > 0.0 && self.clock_ghz <= 100.0) {
-            return Err(out_of_range("clock_ghz", self.clock_ghz, "above 0, at most 100"));
+        if !(0.001..=100.0).contains(&self.clock_ghz) {
+            return Err(out_of_range("clock_ghz", self.clock_ghz, "from 0.001 to 100"));
         }
         within("chip.l2_partitions", chip.l2_partitions, 1, MAX_TMS)?;
         within("chip.tms_per_partition", chip.tms_per_partition, 1, MAX_TMS / chip.l2_partitions)?;
+        let alignment = self.layout.alignment;
+        let is_block = alignment.0.is_power_of_two() && (4..=256).contains(&alignment.0);
+        if !(self.layout.is_packed() || is_block) {
+            let rule = "0 for packed nodes, or a power of two of bytes from 4 to 256";
+            return Err(out_of_range("layout.alignment", alignment, rule));
+        }
         within("tm.threads", tm.threads, 1, MAX_THREADS)?;
         if let LoadWords::Words(words) = tm.load_words
             && ![1, 2, 4].contains(&words)

@@ -6,9 +6,10 @@
 
 pub(crate) mod check;
 mod settings;
+mod timing;
 
 pub use check::DescriptionError;
-pub use memory::description::{BankBy, Bytes, Cache, Dram, DramPower, DramTiming, Mapping};
+pub use memory::description::{BankBy, Bytes, Cache, Dram, DramPower, DramTiming, Mapping, Network};
 
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -18,6 +19,9 @@ pub const PRESETS: [(&str, &str); 2] = [
     ("trax", include_str!("../../presets/trax.toml")),
     ("simtrax-reference", include_str!("../../presets/simtrax-reference.toml")),
 ];
+
+/// Most bytes of a description.
+const MOST_BYTES: u64 = 1 << 20;
 
 /// Everything about a machine that can be chosen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,6 +33,9 @@ pub struct MachineDescription {
     pub clock_ghz: f64,
     /// How many of everything.
     pub chip: Chip,
+    /// How a structure's nodes lie in memory; packed where the key is missing.
+    #[serde(default)]
+    pub layout: NodeLayout,
     /// One thread multiprocessor.
     pub tm: Tm,
     /// Its instruction caches.
@@ -37,10 +44,16 @@ pub struct MachineDescription {
     pub units: Units,
     /// Its data cache.
     pub l1: Cache,
+    /// Between the data caches and the cache of their partition; without latency where the key is missing.
+    #[serde(default)]
+    pub network: Network,
     /// The cache of a partition.
     pub l2: Cache,
     /// The memory that all share.
     pub dram: Dram,
+    /// What a scene needs, where `dualsplit needs` wrote the description. Nothing depends on it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub needs: Option<toml::Table>,
 }
 
 /// Number of partitions and multiprocessors.
@@ -61,6 +74,29 @@ impl Chip {
     }
 }
 
+/// How the nodes of a structure lie in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NodeLayout {
+    /// The children of a node lie in as few blocks of this size as they can, each block at a multiple of its size. At 0, nodes are
+    /// packed.
+    pub alignment: Bytes,
+}
+
+impl Default for NodeLayout {
+    fn default() -> Self {
+        Self { alignment: Bytes(0) }
+    }
+}
+
+impl NodeLayout {
+    /// Whether nodes lie one after another as golden stores them.
+    #[must_use]
+    pub fn is_packed(self) -> bool {
+        self.alignment == Bytes(0)
+    }
+}
+
 /// A thread multiprocessor.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -73,7 +109,7 @@ pub struct Tm {
 
 /// Words that one load brings, if they are adjacent and in one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "expected 1, 2, 4 or \"line\"")]
 pub enum LoadWords {
     /// At most this many: 1, 2 or 4, naturally aligned.
     Words(u32),
@@ -174,17 +210,19 @@ impl MachineDescription {
     ///
     /// # Errors
     /// See [`DescriptionError`].
-    pub fn load(name_or_file: &str, settings: &[String]) -> Result<Self, DescriptionError> {
-        let (source, text) = match PRESETS.iter().find(|(name, _)| *name == name_or_file) {
+    pub fn load(name_or_file: impl AsRef<Path>, settings: &[String]) -> Result<Self, DescriptionError> {
+        let name_or_file = name_or_file.as_ref();
+        let preset = PRESETS.iter().find(|(name, _)| Path::new(name) == name_or_file);
+        let (source, text) = match preset {
             Some((name, text)) => (format!("preset {name}"), (*text).to_owned()),
             None => {
-                let read = std::fs::read_to_string(Path::new(name_or_file));
+                let read = base::input::read_text(name_or_file, MOST_BYTES);
                 let text = read.map_err(|error| DescriptionError::Read {
-                    file: name_or_file.to_owned(),
+                    file: name_or_file.display().to_string(),
                     presets: PRESETS.map(|(name, _)| name).join(", "),
                     error,
                 })?;
-                (name_or_file.to_owned(), text)
+                (name_or_file.display().to_string(), text)
             }
         };
         let machine = settings::parse(&source, &text, settings)?;
@@ -208,6 +246,7 @@ impl MachineDescription {
             partitions: self.chip.l2_partitions,
             ports_per_partition: self.chip.tms_per_partition,
             l1: self.l1,
+            network: self.network,
             l2: self.l2,
             dram: self.dram,
         }
@@ -260,16 +299,38 @@ mod tests {
     }
 
     #[test]
+    fn keys_that_a_file_leaves_out_can_be_set() {
+        let mut table: toml::Table = toml::from_str(PRESETS[0].1).unwrap();
+        assert!(table.remove("layout").is_some() && table.remove("network").is_some());
+        let text = toml::to_string(&table).unwrap();
+        let settings = ["layout.alignment=64B", "network.latency_cycles=3"].map(str::to_owned);
+        let trax = MachineDescription::load("trax", &settings).unwrap();
+        assert_eq!(settings::parse("old.toml", &text, &settings).unwrap(), trax);
+        assert_eq!(
+            settings::parse("old.toml", &text, &[]).unwrap(),
+            MachineDescription::load("trax", &[]).unwrap()
+        );
+    }
+
+    #[test]
     fn errors_name_the_key() {
         for (setting, key) in [
             ("l1.banks=0", "l1.banks"),
             ("l1.banks=3", "l1.banks"),
             ("l1.bank_by=row", "variant `row`, expected `word` or `line`"),
+            ("l1.bank_by=3", "expected `word` or `line`"),
+            ("dram.mapping=3", "expected `column-channel-bank-row` or"),
+            ("tm.load_words=2.5", "1, 2, 4 or \"line\""),
+            ("clock_ghz=1e-308", "from 0.001 to 100"),
             ("l1.sizes=64KiB", "sizes"),
             ("l3.size=64KiB", "l3"),
             ("l1.size=48KiB", "l1.size"),
             ("l1.size=big", "l1.size"),
             ("l1.size=64KB", "size"),
+            ("layout.alignment=48B", "layout.alignment"),
+            ("layout.alignment=512B", "layout.alignment"),
+            ("l2.miss_registers=-1", "l2.miss_registers"),
+            ("network.latency_cycles=201", "network.latency_cycles"),
             ("tm.threads=0", "tm.threads"),
             ("tm.threads=65", "tm.threads"),
             ("tm.load_words=3", "tm.load_words"),

@@ -11,14 +11,15 @@ pub(super) fn parse(
 ) -> Result<MachineDescription, DescriptionError> {
     let invalid = |error: toml::de::Error| DescriptionError::Parse {
         file: source.to_owned(),
-        message: error.to_string().trim_end().to_owned(),
+        message: shortened(&error.to_string()),
     };
     // Before the settings, for messages that quote the line of the file.
     let machine: MachineDescription = toml::from_str(text).map_err(invalid)?;
     if settings.is_empty() {
         return Ok(machine);
     }
-    let mut table: Table = toml::from_str(text).map_err(invalid)?;
+    // Of what was read, so that keys that the file leaves out have their section.
+    let mut table = Table::try_from(&machine).expect("every field has a TOML form");
     for setting in settings {
         apply(&mut table, setting)?;
         let refused = |error: toml::de::Error| DescriptionError::Setting {
@@ -28,6 +29,13 @@ pub(super) fn parse(
         table.clone().try_into::<MachineDescription>().map_err(refused)?;
     }
     table.try_into().map_err(invalid)
+}
+
+/// `message` without the end of long lines: it quotes the line of the file.
+fn shortened(message: &str) -> String {
+    const MOST_CHARS: usize = 200;
+    let short = |line: &str| line.chars().take(MOST_CHARS).collect::<String>();
+    message.trim_end().lines().map(short).collect::<Vec<_>>().join("\n")
 }
 
 fn apply(table: &mut Table, setting: &str) -> Result<(), DescriptionError> {

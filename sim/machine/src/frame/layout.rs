@@ -14,7 +14,7 @@ use render::{Frame, RenderOptions};
 pub struct Layout {
     /// The picture, three words a pixel.
     pub pixels_at: u32,
-    /// The structure as golden stores it.
+    /// The structure's nodes.
     pub nodes_at: u32,
     /// The triangles.
     pub triangles_at: u32,
@@ -26,7 +26,7 @@ impl Layout {
     /// Words of a pixel.
     pub const PIXEL_WORDS: u32 = 3;
 
-    /// Lays out `structure` with its triangles and a picture of `pixels`, each part from the start of a line.
+    /// Lays out `structure` with its triangles and a picture of `pixels`, each part from the start of a line, and of a block of nodes.
     ///
     /// # Errors
     /// If the memory is too small.
@@ -35,7 +35,7 @@ impl Layout {
         pixels: u32,
         machine: &MachineDescription,
     ) -> Result<Self, DescriptionError> {
-        let line = u64::from(machine.l2.line_words());
+        let line = machine.l2.line.max(machine.layout.alignment).0 / 4;
         let align = |words: u64| words.next_multiple_of(line);
         let pixels_at = align(parameter::COUNT as u64);
         let nodes_at = align(pixels_at + u64::from(pixels) * u64::from(Self::PIXEL_WORDS));

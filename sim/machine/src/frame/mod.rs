@@ -7,6 +7,7 @@
 mod checker;
 mod layout;
 mod operations;
+mod placement;
 mod structure;
 #[cfg(test)]
 mod tests;
@@ -15,11 +16,12 @@ mod totals;
 pub use checker::Checker;
 pub use layout::Layout;
 pub use operations::Operations;
+pub use placement::node_bytes;
 pub use structure::{FrameMachine, Kernel, MachineStructure};
 pub use totals::Totals;
 
 use super::core::{Counts, SimulationError, Tape, Work, simulate};
-use super::description::DescriptionError;
+use super::description::{Bytes, DescriptionError, MachineDescription, NodeLayout};
 use super::execute::{Difference, Executor, Fault, Mistake, Special};
 use super::program::{EntryId, ListingError, Opcode, Program};
 use golden::precision::{NarrowDst, Variant};
@@ -87,7 +89,13 @@ pub struct FrameWork<'a, S = Operations<'a>> {
     may_differ: bool,
     width: u32,
     layout: Layout,
+    placed_by: (NodeLayout, Bytes),
     done: Mutex<Done>,
+}
+
+/// What of a machine decides where everything lies in its memory.
+fn placed_by(machine: &MachineDescription) -> (NodeLayout, Bytes) {
+    (machine.layout, machine.l2.line)
 }
 
 #[derive(Default)]
@@ -178,6 +186,11 @@ impl<'a, S: Special> FrameWork<'a, S> {
                 Memory { root_box: &scene_box, ..narrow.structure.memory() }
             }
         };
+        let placed = placement::place(kind, &memory, machine.description.layout)?;
+        let memory = match &placed {
+            Some(placed) => Memory { root: placed.root, words: &placed.words, ..memory },
+            None => memory,
+        };
         let pixels = options.width * options.height;
         let renderer =
             PixelRenderer::new(scene, &RenderOptions { count_work: true, samples: 1, ..*options })?;
@@ -194,8 +207,18 @@ impl<'a, S: Special> FrameWork<'a, S> {
             may_differ: machine.kernel.as_ref().is_some_and(|kernel| kernel.may_differ),
             width: options.width,
             layout,
+            placed_by: placed_by(&machine.description),
             done: Mutex::new(Done { pixels: vec![None; pixels as usize], totals: Totals::default() }),
         })
+    }
+
+    /// Whether the threads of `machine`, whose program is `program`, execute the same as those of this frame's machine.
+    #[must_use]
+    pub fn records_for(&self, machine: &FrameMachine, program: &Program) -> bool {
+        let own = &*self.program;
+        placed_by(&machine.description) == self.placed_by
+            && (&program.graph, &program.operations, &program.lists)
+                == (&own.graph, &own.operations, &own.lists)
     }
 
     /// Where everything lies in memory.

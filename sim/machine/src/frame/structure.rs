@@ -1,6 +1,6 @@
 //! The eight structures: what each is traced through, its program, its pipeline; and programs in their place.
 
-use crate::description::{DescriptionError, MachineDescription};
+use crate::description::{DescriptionError, MachineDescription, NodeLayout};
 use crate::kernels;
 use crate::pipelines::{add_units_beyond, take_units};
 use crate::program::{ListingError, Opcode, Program};
@@ -112,30 +112,34 @@ impl MachineStructure {
     }
 
     /// Name of its listing in [`kernels::FILES`], without the extension.
-    fn listing_name(self) -> &'static str {
-        match self {
-            Self::Dst => "dst",
-            Self::DstSoftware => "dst-sw",
-            Self::Bvh2 => "bvh2",
-            Self::Bvh2Plus => "bvh2-parallel",
-            Self::Bvh4 | Self::Bvh8 => "bvh-wide",
-            Self::Bvh4Plus | Self::Bvh8Plus => "bvh-wide-parallel",
+    fn listing_name(self, layout: NodeLayout) -> &'static str {
+        match (self, layout.is_packed()) {
+            (Self::Dst, _) => "dst",
+            (Self::DstSoftware, _) => "dst-sw",
+            (Self::Bvh2, true) => "bvh2",
+            (Self::Bvh2, false) => "bvh2-words",
+            (Self::Bvh2Plus, true) => "bvh2-parallel",
+            (Self::Bvh2Plus, false) => "bvh2-parallel-words",
+            (Self::Bvh4 | Self::Bvh8, true) => "bvh-wide",
+            (Self::Bvh4 | Self::Bvh8, false) => "bvh-wide-words",
+            (Self::Bvh4Plus | Self::Bvh8Plus, true) => "bvh-wide-parallel",
+            (Self::Bvh4Plus | Self::Bvh8Plus, false) => "bvh-wide-parallel-words",
         }
     }
 
-    /// Its program as compiled.
+    /// Its program as compiled, for nodes that lie as `layout` has them.
     ///
     /// # Panics
     /// If the file is not in the list, which a test excludes.
     #[must_use]
-    pub fn listing(self) -> &'static str {
-        kernels::file(&format!("{}.s", self.listing_name())).expect("every structure has a listing")
+    pub fn listing(self, layout: NodeLayout) -> &'static str {
+        kernels::file(&format!("{}.s", self.listing_name(layout))).expect("every structure has a listing")
     }
 
     /// What is defined where its program is compiled.
     #[must_use]
-    pub fn defines(self) -> Vec<&'static str> {
-        kernels::defines(self.listing_name())
+    pub fn defines(self, layout: NodeLayout) -> Vec<&'static str> {
+        kernels::defines(self.listing_name(layout))
     }
 }
 
@@ -205,7 +209,7 @@ impl FrameMachine {
         let latency = self.pipeline.as_ref().map_or(1, |pipeline| pipeline.latency_cycles);
         let (name, listing) = match &self.kernel {
             Some(kernel) => (kernel.name.as_str(), kernel.listing.as_str()),
-            None => (self.structure.name(), self.structure.listing()),
+            None => (self.structure.name(), self.structure.listing(self.description.layout)),
         };
         let program = Program::new(name, listing, &self.description, latency)?;
         let unknown = program.operations.iter().position(|op| !self.structure.executes(op.opcode));

@@ -1,7 +1,7 @@
 //! Wrong programs and wrong operations are noticed.
 
 use super::*;
-use crate::description::MachineDescription;
+use crate::description::{Bytes, MachineDescription, NodeLayout};
 use costs::{Pipeline, PipelineCost, Unit};
 use fp::Format;
 use golden::Aabb;
@@ -10,7 +10,7 @@ use golden::bvh::BoxStep;
 use golden::dst::Step;
 use golden::precision::Precision;
 use golden::ray::PlaneRay;
-use golden::structure::pack_triangles;
+use golden::structure::{StructureKind, pack_triangles};
 use golden::triangle::TriangleHit;
 use render::Test;
 use std::sync::LazyLock;
@@ -46,6 +46,11 @@ fn machine(of: MachineStructure) -> FrameMachine {
     };
     let trax = MachineDescription::load("trax", &[]).unwrap();
     FrameMachine::new(&trax, of, pipeline).unwrap()
+}
+
+/// The program for packed nodes.
+fn listing(of: MachineStructure) -> &'static str {
+    of.listing(NodeLayout::default())
 }
 
 /// Golden's operations, for the frame of these tests.
@@ -130,8 +135,8 @@ fn only_bounds(line: &str) -> bool {
 fn a_mistake_in_an_instruction_is_noticed() {
     let of = MachineStructure::Dst;
     let (machine, structure) = (machine(of), structure(of));
-    let (program, counts) = execute(&machine, &structure, of.listing(), operations()).unwrap();
-    let lines: Vec<&str> = of.listing().lines().collect();
+    let (program, counts) = execute(&machine, &structure, listing(of), operations()).unwrap();
+    let lines: Vec<&str> = listing(of).lines().collect();
     let (mut made, mut survivors) = (0, vec![]);
     for line in executed_lines(&program, &counts).into_iter().step_by(testing::cases(1, 4) as usize) {
         let Some(wrong) = mistaken(lines[line - 1]).filter(|_| !only_bounds(lines[line - 1])) else {
@@ -158,8 +163,8 @@ fn a_mistake_in_an_instruction_is_noticed() {
 fn a_branch_to_another_place_is_noticed() {
     let of = MachineStructure::Bvh4;
     let (machine, structure) = (machine(of), structure(of));
-    let (program, counts) = execute(&machine, &structure, of.listing(), operations()).unwrap();
-    let lines: Vec<&str> = of.listing().lines().collect();
+    let (program, counts) = execute(&machine, &structure, listing(of), operations()).unwrap();
+    let lines: Vec<&str> = listing(of).lines().collect();
     let labels: Vec<&str> = lines.iter().filter_map(|line| line.strip_suffix(':')).collect();
     let (mut made, mut noticed) = (0, 0);
     for line in executed_lines(&program, &counts).into_iter().step_by(testing::cases(1, 5) as usize) {
@@ -245,7 +250,7 @@ fn a_wrong_operation_changes_the_picture() {
     for (which, name) in CORRUPTED.iter().enumerate().filter(|(_, name)| **name != "EXACT") {
         let of = if *name == "BOXTEST" { MachineStructure::Bvh4Plus } else { MachineStructure::Dst };
         let special = Corrupted { operations: operations(), which };
-        let outcome = execute(&machine(of), &structure(of), of.listing(), special);
+        let outcome = execute(&machine(of), &structure(of), listing(of), special);
         let error = outcome.err().unwrap_or_else(|| panic!("{name} is wrong, and the picture is right"));
         assert!(matches!(error, FrameError::Simulation(SimulationError::Fault(_))), "{name}: {error}");
     }
@@ -300,7 +305,26 @@ fn a_conservative_narrow_pipeline_gives_goldens_picture() {
 #[test]
 fn the_message_names_the_first_pixel_that_differs() {
     let of = MachineStructure::Dst;
-    let wrong = of.listing().replace("0x3f333333", "0x3f333334");
+    let wrong = listing(of).replace("0x3f333333", "0x3f333334");
     let error = execute(&machine(of), &structure(of), &wrong, operations()).err().unwrap().to_string();
     assert!(error.contains("is not golden's: red is ") && error.contains("in item "), "{error}");
+}
+
+#[test]
+fn the_picture_is_goldens_wherever_nodes_lie() {
+    for of in MachineStructure::ALL {
+        let (mut machine, structure) = (machine(of), structure(of));
+        let packed = node_bytes(&structure, machine.description.layout).unwrap();
+        assert_eq!(packed.0 as usize, structure.node_bytes());
+        for bytes in [4, 32, 64, 256] {
+            let layout = NodeLayout { alignment: Bytes(bytes) };
+            machine.description.layout = layout;
+            let padded = node_bytes(&structure, layout).unwrap();
+            assert_eq!(padded > packed, bytes > 4, "{of}, {bytes} bytes: {padded:?}");
+            execute(&machine, &structure, of.listing(layout), operations()).unwrap();
+        }
+        // The program for packed nodes looks for a box elsewhere.
+        let other = execute(&machine, &structure, listing(of), operations());
+        assert_eq!(other.is_err(), of.kind() != StructureKind::Dst, "{of}");
+    }
 }

@@ -35,9 +35,10 @@ macro_rules! files {
 }
 
 /// Names and contents of the files: what programs include, the example, and the listings of all structures.
-pub const FILES: [(&str, &str); 11] = files! {
+pub const FILES: [(&str, &str); 15] = files! {
     "trax.h" "frame.c" "traversal.h" "clang.options" "examples/no-t-min.c"
     "dst.s" "dst-sw.s" "bvh2.s" "bvh2-parallel.s" "bvh-wide.s" "bvh-wide-parallel.s"
+    "bvh2-words.s" "bvh2-parallel-words.s" "bvh-wide-words.s" "bvh-wide-parallel-words.s"
 };
 
 /// The content of the file `name` of [`FILES`].
@@ -56,15 +57,20 @@ pub fn defines(name: &str) -> Vec<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::description::{Bytes, NodeLayout};
     use crate::frame::MachineStructure;
 
     #[test]
     fn every_structure_has_a_listing_and_a_definition() {
         for structure in MachineStructure::ALL {
-            assert!(structure.listing().contains("main:"), "{structure}");
-            let defines = structure.defines();
-            assert!(defines.iter().any(|name| name.starts_with("DST") || name.starts_with("BVH=")));
-            assert_eq!(defines.contains(&"PARALLEL"), structure.name().ends_with('+'), "{structure}");
+            for layout in [NodeLayout::default(), NodeLayout { alignment: Bytes(64) }] {
+                assert!(structure.listing(layout).contains("main:"), "{structure}");
+                let defines = structure.defines(layout);
+                let is_bvh = defines.iter().any(|name| name.starts_with("BVH="));
+                assert!(is_bvh || defines.iter().any(|name| name.starts_with("DST")));
+                assert_eq!(defines.contains(&"PARALLEL"), structure.name().ends_with('+'), "{structure}");
+                assert_eq!(defines.contains(&"WORD_OFFSETS"), is_bvh && !layout.is_packed(), "{structure}");
+            }
         }
     }
 

@@ -125,8 +125,18 @@ fn decode_plain(mnemonic: &str, operands: &[&str], context: &mut Context<'_>) ->
     };
     let three = |opcode| count(3).and_then(|()| Ok(operation(opcode, need(0)?, need(1)?, need(2)?, 0)));
     let two = |opcode| count(2).and_then(|()| Ok(operation(opcode, need(0)?, need(1)?, ZERO, 0)));
-    let immediate =
-        |opcode| count(3).and_then(|()| Ok(operation(opcode, need(0)?, need(1)?, ZERO, number(2)? as i32)));
+    // As an assembler reads them: what fits in 16 bits, with a sign or as a pattern.
+    let within = |opcode, range: std::ops::Range<i64>| {
+        count(3)?;
+        let value = number(2)?;
+        if !range.contains(&value) {
+            return Err(format!("{value} is not in {}..{}", range.start, range.end));
+        }
+        Ok(operation(opcode, need(0)?, need(1)?, ZERO, value as i32))
+    };
+    let signed = |opcode| within(opcode, -0x8000..0x8000);
+    let pattern = |opcode| within(opcode, 0..0x1_0000);
+    let shift = |opcode| within(opcode, 0..32);
     let compare = |opcode| {
         let first = usize::from(named(0) == Some(CONDITION));
         count(first + 2).and_then(|()| Ok(operation(opcode, CONDITION, need(first)?, need(first + 1)?, 0)))
@@ -142,31 +152,34 @@ fn decode_plain(mnemonic: &str, operands: &[&str], context: &mut Context<'_>) ->
     match mnemonic {
         "nop" => Ok(operation(O::Nop, SINK, ZERO, ZERO, 0)),
         "addu" => three(O::Add),
-        "addiu" => immediate(O::AddImmediate),
+        "addiu" => signed(O::AddImmediate),
         "subu" => three(O::Subtract),
         "negu" => two(O::Subtract).map(|op| Operation { a: ZERO, b: op.a, ..op }),
         "mul" => three(O::Multiply),
         "and" => three(O::And),
-        "andi" => immediate(O::AndImmediate),
+        "andi" => pattern(O::AndImmediate),
         "or" => three(O::Or),
-        "ori" => immediate(O::OrImmediate),
+        "ori" => pattern(O::OrImmediate),
         "xor" => three(O::Xor),
-        "xori" => immediate(O::XorImmediate),
+        "xori" => pattern(O::XorImmediate),
         "nor" => three(O::Nor),
         "not" => two(O::Nor),
-        "sll" => immediate(O::ShiftLeft),
-        "srl" => immediate(O::ShiftRight),
-        "sra" => immediate(O::ShiftRightArithmetic),
+        "sll" => shift(O::ShiftLeft),
+        "srl" => shift(O::ShiftRight),
+        "sra" => shift(O::ShiftRightArithmetic),
         "sllv" => three(O::ShiftLeftBy),
         "srlv" => three(O::ShiftRightBy),
         "slt" => three(O::SetLess),
-        "slti" => immediate(O::SetLessImmediate),
+        "slti" => signed(O::SetLessImmediate),
         "sltu" => three(O::SetLessUnsigned),
-        "sltiu" => immediate(O::SetLessUnsignedImmediate),
+        "sltiu" => signed(O::SetLessUnsignedImmediate),
         "lui" => {
             count(2)?;
             // The upper half of an address of a constant is not used: the load that follows names the constant.
             let upper = if operands[1].starts_with("%hi(") { 0 } else { number(1)? };
+            if !(0..0x1_0000).contains(&upper) {
+                return Err(format!("{upper} is not in 0..65536"));
+            }
             Ok(operation(O::Constant, need(0)?, ZERO, ZERO, (upper as u32).wrapping_shl(16) as i32))
         }
         "move" | "mov.s" | "mfc1" => two(O::Copy),
@@ -229,7 +242,7 @@ fn decode_plain(mnemonic: &str, operands: &[&str], context: &mut Context<'_>) ->
 }
 
 /// A number as an assembler writes it.
-fn integer(text: &str) -> Option<i64> {
+pub(super) fn integer(text: &str) -> Option<i64> {
     match text.strip_prefix("0x") {
         Some(digits) => i64::from_str_radix(digits, 16).ok(),
         None => text.parse().ok(),
@@ -259,7 +272,9 @@ fn local(opcode: Opcode, operands: &[&str], context: &Context<'_>) -> Result<Ope
         };
     }
     let offset = if offset.is_empty() { Some(0) } else { integer(offset) };
-    let immediate = offset.ok_or_else(|| format!("`{address}` is no address of the local store"))? as i32;
+    let immediate = offset
+        .filter(|offset| (-0x8000..0x8000).contains(offset))
+        .ok_or_else(|| format!("`{address}` is no address of the local store"))? as i32;
     Ok(Operation { opcode, d, a, b: ZERO, immediate })
 }
 
@@ -310,6 +325,20 @@ mod tests {
         assert_eq!(accesses("nop"), Some((vec![], vec![])));
         assert_eq!(accesses("frobnicate $1"), None);
         assert_eq!(accesses("addu $1, $2"), None);
+        for bad in [
+            "sll $1, $2, 32",
+            "srl $1, $2, -1",
+            "addiu $1, $2, 32768",
+            "andi $1, $2, -1",
+            "ori $1, $2, 65536",
+            "lui $1, 65536",
+            "lw $1, 40000($2)",
+        ] {
+            assert_eq!(accesses(bad), None, "{bad}");
+        }
+        for good in ["sll $1, $2, 31", "addiu $1, $2, -32768", "andi $1, $2, 65535", "lui $1, 65535"] {
+            assert!(accesses(good).is_some(), "{good}");
+        }
         let floats: Vec<String> = (1..=13).map(|f| format!("$f{f}")).collect();
         let step =
             format!("DSTSTEP $1, $2, $3, {}, $4, {}", floats[..4].join(", "), floats[2..13].join(", "));

@@ -1,9 +1,9 @@
 //! Reads a listing: an assembler file as the compiler writes it.
 //!
-//! Of the directives, `.4byte` and `.word` give the value of a constant behind its label; all others are skipped, as are comments
-//! from `#` to the end of the line. The program begins at `main`, and has at most [`MOST_INSTRUCTIONS`].
+//! Of the directives, `.4byte` and `.word` give the value of a constant behind its label. Those that compilers write beside them are
+//! skipped, as are comments from `#` to the end of the line; others are errors. The program begins at `main`, and has at most [`MOST_INSTRUCTIONS`].
 
-use super::decode::{Context, Decoded, Test, decode};
+use super::decode::{Context, Decoded, Test, decode, integer};
 use super::operation::{Opcode, Operation};
 use super::registers::Register;
 use std::collections::HashMap;
@@ -84,6 +84,13 @@ impl Listing {
                 continue;
             }
             if code.starts_with('.') {
+                let name = code.split_whitespace().next().unwrap_or_default();
+                if !is_directive(name) {
+                    let message = format!(
+                        "unknown directive `{name}`; leave it away, or write {CONSTANTS:?} for a constant"
+                    );
+                    return Err(fail(line, message));
+                }
                 continue;
             }
             if at == MOST_INSTRUCTIONS {
@@ -250,21 +257,52 @@ impl Listing {
     }
 }
 
+/// Directives that give the value of a constant.
+const CONSTANTS: [&str; 2] = [".4byte", ".word"];
+
+/// Directives that compilers write and that say nothing about what is executed.
+const SKIPPED: [&str; 26] = [
+    ".abicalls",
+    ".addrsig",
+    ".align",
+    ".asciz",
+    ".byte",
+    ".data",
+    ".end",
+    ".ent",
+    ".file",
+    ".fmask",
+    ".frame",
+    ".globl",
+    ".ident",
+    ".loc",
+    ".mask",
+    ".module",
+    ".nan",
+    ".option",
+    ".p2align",
+    ".previous",
+    ".rdata",
+    ".section",
+    ".set",
+    ".size",
+    ".text",
+    ".type",
+];
+
+fn is_directive(name: &str) -> bool {
+    CONSTANTS.contains(&name) || SKIPPED.contains(&name) || name.starts_with(".cfi_")
+}
+
 /// The constants of a program: the words behind labels.
 fn constants<'a>(lines: &[(usize, &'a str)]) -> HashMap<&'a str, u32> {
     let mut constants = HashMap::new();
     for pair in lines.windows(2) {
         let [(_, label), (_, value)] = pair else { continue };
-        let value = [".4byte", ".word"].iter().find_map(|directive| value.strip_prefix(directive));
-        if let (Some(label), Some(value)) = (label.strip_suffix(':'), value) {
-            let value = value.trim();
-            let value = match value.strip_prefix("0x") {
-                Some(digits) => u32::from_str_radix(digits, 16).ok(),
-                None => value.parse::<i64>().ok().map(|value| value as u32),
-            };
-            if let Some(value) = value {
-                constants.insert(label, value);
-            }
+        let value = CONSTANTS.iter().find_map(|directive| value.strip_prefix(directive));
+        if let (Some(label), Some(value)) = (label.strip_suffix(':'), value.map(str::trim).and_then(integer))
+        {
+            constants.insert(label, value as u32);
         }
     }
     constants

@@ -1,10 +1,12 @@
 //! The reference runs: a software BVH2 on the public simulator, with its rays, its tree and its results.
 
+mod compared;
 mod runs;
 mod scene;
 mod work;
 
-pub use runs::{Compared, PRESET, ReferenceRun, ReferenceRuns, ValidatedRun, ValidationError};
+pub use compared::{Compared, ValidatedRun};
+pub use runs::{PRESET, ReferenceRun, ReferenceRuns, TABLE, ValidationError};
 pub use scene::{RaySet, ReferenceError, ReferenceScene};
 pub use work::ReferenceWork;
 

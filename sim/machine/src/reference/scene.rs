@@ -67,8 +67,12 @@ pub struct RaySet {
     pub results_at: u32,
 }
 
+/// Most bytes of a file of a reference run.
+const MOST_BYTES: u64 = 1 << 30;
+
 fn read(file: &Path) -> Result<Vec<u8>, ReferenceError> {
-    std::fs::read(file).map_err(|error| ReferenceError::Read { file: file.to_owned(), error })
+    base::input::read_file(file, MOST_BYTES)
+        .map_err(|error| ReferenceError::Read { file: file.to_owned(), error })
 }
 
 fn words(file: &Path, multiple: u32) -> Result<Vec<u32>, ReferenceError> {

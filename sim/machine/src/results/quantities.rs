@@ -45,6 +45,15 @@ impl Results {
         add("energy_groups_mj.dram", g.dram, "mJ", "memory");
         add("energy_groups_mj.cache", g.cache, "mJ", "first- and second-level and instruction caches");
         add("energy_groups_mj.compute", g.compute, "mJ", "registers, local stores, units, pipelines");
+        let s = &self.energy_storage_mj;
+        add("energy_storage_mj.dram", s.dram, "mJ", "memory");
+        add(
+            "energy_storage_mj.on_chip",
+            s.on_chip,
+            "mJ",
+            "caches, instruction caches, registers, local stores",
+        );
+        add("energy_storage_mj.execution", s.execution, "mJ", "units, pipelines");
         let a = &self.area_mm2;
         for (name, value, meaning) in [
             ("l1", a.l1, "first-level caches"),
@@ -57,6 +66,11 @@ impl Results {
             ("total", a.total, "all of it, without memory, network and clock"),
         ] {
             add(&format!("area_mm2.{name}"), value, "mm2", meaning);
+        }
+        let c = &self.cache_costs;
+        for (name, cost) in [("l1", &c.l1), ("l2", &c.l2), ("icache", &c.icache)] {
+            add(&format!("cache_costs.{name}.area_mm2"), cost.area_mm2, "mm2", cost.area_source);
+            add(&format!("cache_costs.{name}.energy_nj"), cost.energy_nj, "nJ", cost.energy_source);
         }
         for (name, meaning) in [
             ("issue", "an instruction other than a nop was issued"),
@@ -101,6 +115,12 @@ impl Results {
                 counts.bank_conflicts as f64,
                 "",
                 "tries refused as the bank was taken",
+            );
+            add(
+                &key("register_conflicts"),
+                counts.register_conflicts as f64,
+                "",
+                "tries to load refused as all miss registers were taken",
             );
             add(&format!("caches.{name}_hit_pct"), rate, "% of loads", "loads that found their line");
         }

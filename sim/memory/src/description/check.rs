@@ -33,6 +33,21 @@ pub fn within(key: &str, value: u32, least: u32, most: u32) -> Result<(), OutOfR
     Err(OutOfRange::new(key, value, format!("from {least} to {most}")))
 }
 
+/// The largest amount of energy, area, current or voltage, in whatever unit: sums of amounts and their products with counts stay
+/// finite.
+const MAX_AMOUNT: f64 = 1e6;
+
+/// Checks that `key` is an amount.
+///
+/// # Errors
+/// If it is below 0, too large or no number.
+pub fn amount(key: &str, value: f64) -> Result<(), OutOfRange> {
+    if (0.0..=MAX_AMOUNT).contains(&value) {
+        return Ok(());
+    }
+    Err(OutOfRange::new(key, value, format!("from 0 to {MAX_AMOUNT}")))
+}
+
 /// Checks that `key` is a power of two from 1 to `most`.
 ///
 /// # Errors

@@ -1,7 +1,8 @@
 //! The DRAM: what exists, its timing and its power.
 
-use super::check::{OutOfRange, power_of_two, within};
-use serde::{Deserialize, Serialize};
+use super::check::{OutOfRange, amount, power_of_two, within};
+use super::words::one_of;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// The DRAM.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -44,6 +45,34 @@ impl Dram {
             * line
     }
 
+    /// Channel, bank and row of a line.
+    #[must_use]
+    pub fn place(&self, line: u32) -> (usize, u32, u32) {
+        let mut rest = line;
+        let mut take = |size: u32| {
+            let field = rest & (size - 1);
+            rest >>= size.trailing_zeros();
+            field
+        };
+        let (channel, bank) = match self.mapping {
+            Mapping::ColumnChannelBankRow => {
+                take(self.columns);
+                (take(self.channels), take(self.banks))
+            }
+            Mapping::ChannelColumnBankRow => {
+                let channel = take(self.channels);
+                take(self.columns);
+                (channel, take(self.banks))
+            }
+            Mapping::ChannelBankColumnRow => {
+                let (channel, bank) = (take(self.channels), take(self.banks));
+                take(self.columns);
+                (channel, bank)
+            }
+        };
+        (channel as usize, bank, rest & (self.rows - 1))
+    }
+
     /// Whether it can be built for lines of `line` bytes.
     ///
     /// # Errors
@@ -68,7 +97,7 @@ impl Dram {
 }
 
 /// Order of the fields of a line's number, from the least significant bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Mapping {
     /// A row's lines are adjacent.
@@ -77,6 +106,19 @@ pub enum Mapping {
     ChannelColumnBankRow,
     /// Adjacent lines are in different channels, and the next ones of a channel in different banks.
     ChannelBankColumnRow,
+}
+
+impl<'de> Deserialize<'de> for Mapping {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        one_of(
+            deserializer,
+            &[
+                ("column-channel-bank-row", Self::ColumnChannelBankRow),
+                ("channel-column-bank-row", Self::ChannelColumnBankRow),
+                ("channel-bank-column-row", Self::ChannelBankColumnRow),
+            ],
+        )
+    }
 }
 
 /// Least distances between DRAM commands, in DRAM clocks.
@@ -116,6 +158,18 @@ pub struct DramTiming {
 }
 
 impl DramTiming {
+    /// Clocks in which a row is opened, used and closed, one after the other.
+    #[must_use]
+    pub fn turn(&self) -> u32 {
+        self.activate_to_column
+            + self.read_latency.max(self.write_latency)
+            + self.burst
+            + self.write_recovery
+            + self.activate_to_precharge
+            + self.activate_to_activate_same_bank
+            + self.precharge
+    }
+
     fn check(&self) -> Result<(), OutOfRange> {
         for (key, clocks) in [
             ("activate_to_column", self.activate_to_column),
@@ -135,7 +189,16 @@ impl DramTiming {
         ] {
             within(&format!("dram.timing.{key}"), clocks, 1, 1 << 16)?;
         }
-        within("dram.timing.refresh_interval", self.refresh_interval, 2 * self.refresh, 1 << 24)
+        // Each refresh closes all rows. Between two of them a row has to be opened, used and closed, or nothing is ever read.
+        let least = (2 * self.refresh).max(self.refresh + self.turn());
+        if (least..=1 << 24).contains(&self.refresh_interval) {
+            return Ok(());
+        }
+        let rule = format!(
+            "from {least} to {}: what a refresh takes, and time to open, use and close a row",
+            1 << 24
+        );
+        Err(OutOfRange::new("dram.timing.refresh_interval", self.refresh_interval, rule))
     }
 }
 
@@ -166,9 +229,7 @@ impl DramPower {
             ("idd4w_ma", self.idd4w_ma),
             ("idd5_ma", self.idd5_ma),
         ] {
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(OutOfRange::new(format!("dram.power.{key}"), value, "finite, at least 0"));
-            }
+            amount(&format!("dram.power.{key}"), value)?;
         }
         Ok(())
     }

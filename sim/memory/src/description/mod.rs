@@ -3,10 +3,13 @@
 mod cache;
 pub mod check;
 mod dram;
+mod network;
 mod size;
+mod words;
 
-pub use cache::{BankBy, Cache, MAX_BANKS};
+pub use cache::{BankBy, Cache, MAX_BANKS, MAX_PORTS};
 pub use dram::{Dram, DramPower, DramTiming, Mapping};
+pub use network::Network;
 pub use size::Bytes;
 
 use check::OutOfRange;
@@ -20,6 +23,8 @@ pub struct Description {
     pub ports_per_partition: u32,
     /// The first-level caches.
     pub l1: Cache,
+    /// Between the first- and the second-level caches.
+    pub network: Network,
     /// The second-level caches.
     pub l2: Cache,
     /// The DRAM that all share.
@@ -32,8 +37,9 @@ impl Description {
     /// # Errors
     /// The first key that is out of range.
     pub fn check(&self) -> Result<(), OutOfRange> {
-        let Self { l1, l2, dram, .. } = self;
+        let Self { l1, network, l2, dram, .. } = self;
         l1.check("l1")?;
+        network.check()?;
         l2.check("l2")?;
         if l1.line != l2.line {
             return Err(OutOfRange::new("l2.line", l2.line, format!("equal to l1.line, {}", l1.line)));
@@ -59,7 +65,14 @@ pub(crate) mod tests {
     }
 
     fn description() -> Description {
-        Description { partitions: 1, ports_per_partition: 1, l1: cache(), l2: cache(), dram: dram() }
+        Description {
+            partitions: 1,
+            ports_per_partition: 1,
+            l1: cache(),
+            network: Network::default(),
+            l2: cache(),
+            dram: dram(),
+        }
     }
 
     #[test]
@@ -71,9 +84,15 @@ pub(crate) mod tests {
             description.check().unwrap_err().to_string()
         };
         assert_eq!(error(|d| d.l1.banks = 3), "l1.banks = 3: a power of two from 1 to 64");
+        assert_eq!(error(|d| d.l2.ports = 5), "l2.ports = 5: from 1 to 4");
+        let message = "l2.miss_registers = 65537: from 0 to 65536";
+        assert_eq!(error(|d| d.l2.miss_registers = 65_537), message);
+        assert_eq!(error(|d| d.network.latency_cycles = 201), "network.latency_cycles = 201: from 0 to 200");
         assert_eq!(error(|d| d.l2.line = Bytes(32)), "l2.line = 32B: equal to l1.line, 64B");
         assert_eq!(error(|d| d.dram.write_drain_high = 90), "dram.write_drain_high = 90: from 1 to 80");
-        assert_eq!(error(|d| d.dram.power.vdd_v = -1.0), "dram.power.vdd_v = -1: finite, at least 0");
+        assert_eq!(error(|d| d.dram.power.vdd_v = -1.0), "dram.power.vdd_v = -1: from 0 to 1000000");
+        let refresh = error(|d| (d.dram.timing.refresh, d.dram.timing.refresh_interval) = (28, 56));
+        assert!(refresh.starts_with("dram.timing.refresh_interval = 56: from"), "{refresh}");
         let rows = error(|d| d.dram.rows = 1 << 20);
         assert!(rows.starts_with("dram.rows = 1048576: at most 2^34 bytes"), "{rows}");
     }
@@ -85,5 +104,7 @@ pub(crate) mod tests {
         assert!(text.contains("bank_by = \"line\""), "{text}");
         assert_eq!(toml::from_str::<Cache>(&text).unwrap().bank_by, BankBy::Line);
         assert!(toml::from_str::<Cache>(&text.replace("\"line\"", "\"row\"")).is_err());
+        let number = toml::from_str::<Cache>(&text.replace("\"line\"", "3")).unwrap_err();
+        assert!(number.message().contains("expected `word` or `line`"), "{number}");
     }
 }

@@ -6,7 +6,7 @@
 mod channel;
 
 use crate::DramCounts;
-use crate::description::{Dram as Description, Mapping};
+use crate::description::Dram as Description;
 use channel::{Channel, Offer};
 use std::collections::VecDeque;
 
@@ -76,38 +76,10 @@ impl Dram {
         }
     }
 
-    /// Channel, bank and row of a line.
-    fn place(&self, line: u32) -> (usize, u32, u32) {
-        let d = &self.description;
-        let mut rest = line;
-        let mut take = |size: u32| {
-            let field = rest & (size - 1);
-            rest >>= size.trailing_zeros();
-            field
-        };
-        let (channel, bank) = match d.mapping {
-            Mapping::ColumnChannelBankRow => {
-                take(d.columns);
-                (take(d.channels), take(d.banks))
-            }
-            Mapping::ChannelColumnBankRow => {
-                let channel = take(d.channels);
-                take(d.columns);
-                (channel, take(d.banks))
-            }
-            Mapping::ChannelBankColumnRow => {
-                let (channel, bank) = (take(d.channels), take(d.banks));
-                take(d.columns);
-                (channel, bank)
-            }
-        };
-        (channel as usize, bank, rest & (d.rows - 1))
-    }
-
     /// The channel of a line.
     #[must_use]
     pub fn channel(&self, line: u32) -> usize {
-        self.place(line).0
+        self.description.place(line).0
     }
 
     /// Reads that `channel` can still take.
@@ -122,7 +94,7 @@ impl Dram {
             self.joined += 1;
             return Read::Arrives(on_its_way.cycle);
         }
-        let (channel, bank, row) = self.place(line);
+        let (channel, bank, row) = self.description.place(line);
         let clock = self.clock(now);
         match self.channels[channel].read(clock, line, bank, row, requester) {
             Offer::Refused => Read::Refused,
@@ -140,7 +112,7 @@ impl Dram {
 
     /// Writes `line` in cycle `now`; false if the queue is full.
     pub fn write(&mut self, now: u32, line: u32) -> bool {
-        let (channel, bank, row) = self.place(line);
+        let (channel, bank, row) = self.description.place(line);
         let clock = self.clock(now);
         let accepted = self.channels[channel].write(clock, line, bank, row);
         if accepted {

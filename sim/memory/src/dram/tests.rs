@@ -1,6 +1,7 @@
 //! The memory against its own formulas.
 
 use super::*;
+use crate::description::Mapping;
 use crate::description::tests::dram as description;
 
 const PORT: Requester = Requester { port: 0 };
@@ -56,7 +57,7 @@ fn each_mapping_spreads_lines_in_its_order() {
                     "row" => (0, 0, value),
                     _ => (0, 0, 0),
                 };
-                assert_eq!(dram.place(value << (2 * at)), expected, "{mapping:?} {field}");
+                assert_eq!(dram.description.place(value << (2 * at)), expected, "{mapping:?} {field}");
             }
         }
     }

@@ -61,6 +61,9 @@ fn small(seed: u64) -> Description {
     description.l1.enabled = seed % 4 != 3;
     description.l2.associativity = 1 << (seed % 3);
     description.l2.size = Bytes(4 << 10);
+    description.l1.miss_registers = [0, 0, 6][seed as usize % 3];
+    description.l2.miss_registers = [0, 8][seed as usize % 2];
+    description.network.latency_cycles = [0, 0, 0, 5, 30][seed as usize % 5];
     description.dram.channels = 2;
     description.dram.read_queue = [80, 2, 1][seed as usize % 3];
     (description.dram.write_queue, description.dram.write_drain_high) = (8, 4);

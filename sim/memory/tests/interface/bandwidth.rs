@@ -36,6 +36,12 @@ fn a_first_level_cache_serves_a_word_of_each_bank_a_cycle() {
             assert_eq!(each, vec![banks; 100], "{banks} banks by {bank_by:?}");
             assert_eq!(driver.memory.l1_counts().bank_conflicts, 100 * u64::from(banks));
         }
+        // Two accesses of each bank.
+        let mut two = description;
+        (two.l1.bank_by, two.l1.ports) = (BankBy::Word, 2);
+        let mut driver = Driver::new(&two);
+        (0..two.l1.lines()).for_each(|line| driver.memory.warm(0, line * LINE_WORDS));
+        assert_eq!(served(&mut driver, banks, 100, |number| number % words), vec![2 * banks; 100]);
         // One bank, however many there are.
         description.l1.bank_by = BankBy::Line;
         let mut driver = Driver::new(&description);

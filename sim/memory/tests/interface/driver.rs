@@ -1,6 +1,6 @@
 //! A client that goes cycle by cycle.
 
-use memory::description::{BankBy, Bytes, Cache, Description};
+use memory::description::{BankBy, Bytes, Cache, Description, Network};
 use memory::{Access, Answer, Client, Memory, Request};
 
 /// A cache with lines of 64 bytes, one line in a set.
@@ -10,9 +10,11 @@ pub fn cache(bytes: u64, banks: u32, latency_cycles: u32) -> Cache {
         size: Bytes(bytes),
         line: Bytes(64),
         banks,
+        ports: 1,
         bank_by: BankBy::Word,
         associativity: 1,
         latency_cycles,
+        miss_registers: 0,
         area_mm2: None,
         energy_nj: None,
     }
@@ -27,6 +29,7 @@ pub fn description() -> Description {
         partitions: 1,
         ports_per_partition: 1,
         l1: cache(32 << 10, 8, 1),
+        network: Network::default(),
         l2: cache(512 << 10, 16, 3),
         dram: toml::from_str(include_str!("gddr5.toml")).unwrap(),
     };

@@ -89,3 +89,28 @@ fn a_load_that_joins_has_its_words_with_the_line_or_the_latency_of_the_cache_aft
     assert_eq!(driver.ask(Client { port: 1, number: 0 }, Access::Load, 66), Answer::At(arrival + both));
     assert_eq!(driver.memory.dram_counts(25).reads, 1);
 }
+
+#[test]
+fn the_network_adds_its_latency_there_and_back_to_what_goes_beyond_the_first_level() {
+    for network in [0, 1, 9, 40] {
+        let mut description = Description { ports_per_partition: 2, ..description() };
+        description.network.latency_cycles = network;
+        let t = description.dram.timing;
+        let read =
+            (t.activate_to_column + t.read_latency + t.burst).div_ceil(description.dram.clocks_per_cycle);
+        let mut driver = Driver::new(&description);
+        assert_eq!(driver.load(64), read + 2 * network, "from the memory");
+        driver.next_quantum();
+        assert_eq!(driver.load(65), description.l1.latency_cycles, "from the first level");
+        let both = description.l1.latency_cycles + description.l2.latency_cycles;
+        let other = Client { port: 1, ..CLIENT };
+        let now = driver.now;
+        assert_eq!(
+            driver.ask(other, Access::Load, 65),
+            Answer::At(now + both + 2 * network),
+            "from the second level"
+        );
+        driver.go_to(now + 2);
+        assert_eq!(driver.ask(CLIENT, Access::Store, 65), Answer::At(now + 3), "nobody waits for a store");
+    }
+}

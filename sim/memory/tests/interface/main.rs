@@ -5,4 +5,5 @@ mod bandwidth;
 mod driver;
 mod latency;
 mod queue;
+mod registers;
 mod stack;

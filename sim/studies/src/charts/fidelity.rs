@@ -26,8 +26,8 @@ pub struct FidelityPoint {
     pub energy_mj: f64,
     /// Mean error of the frame time in percent. Over many draws, this is the bias.
     pub time_error_pct: f64,
-    /// Standard deviation of that error over draws.
-    pub time_spread_pct: f64,
+    /// Standard deviation of that error over draws; absent for one draw.
+    pub time_spread_pct: Option<f64>,
     /// Half of the 95 % interval, mean of the draws.
     pub time_interval_pct: f64,
     /// Mean error of the frame time in percent, if all timed pixels, cold start and end included, stood for the rest.
@@ -36,8 +36,8 @@ pub struct FidelityPoint {
     pub energy_error_pct: f64,
     /// Mean error of the energy in percent, if all timed pixels, cold start and end included, stood for the rest.
     pub plain_energy_error_pct: f64,
-    /// Standard deviation of `energy_error_pct` over draws.
-    pub energy_spread_pct: f64,
+    /// Standard deviation of `energy_error_pct` over draws; absent for one draw.
+    pub energy_spread_pct: Option<f64>,
     /// Half of the 95 % interval, mean of the draws.
     pub energy_interval_pct: f64,
 }
@@ -101,6 +101,7 @@ fn settings(subject: &Subject<'_>, rtl: bool) -> Vec<Setting> {
         settings.push(Setting { pairs: Some(pairs), ..all(Level::Analytic) });
     }
     settings.push(all(Level::Analytic));
+    settings.push(all(Level::Queueing));
     for (lead, warms) in [(false, false), (true, false), (true, true)] {
         for &pairs in &pairs {
             settings.push(Setting { level: Level::Transaction, pairs: Some(pairs), lead, warms });
@@ -126,7 +127,7 @@ fn point(setting: &Setting, runs: &[Estimate], reference: (f64, f64)) -> Fidelit
     let spread = |of: &dyn Fn(&Estimate) -> f64| {
         let centre = mean(of);
         let squares: f64 = runs.iter().map(|run| (of(run) - centre).powi(2)).sum();
-        if runs.len() > 1 { (squares / (draws - 1.0)).sqrt() } else { 0.0 }
+        (runs.len() > 1).then(|| (squares / (draws - 1.0)).sqrt())
     };
     FidelityPoint {
         level: setting.level.name(),
@@ -186,6 +187,7 @@ pub fn charts(title: &str, points: &[FidelityPoint]) -> [(&'static str, Chart); 
             x: Axis::log("host time per frame (s)"),
             y: Axis::linear("error (%), 95 % interval"),
             series: vec![
+                series("queueing", Level::Queueing, &[""]),
                 series("transaction", Level::Transaction, &["functional", ""]),
                 series("rtl", Level::Rtl, &["functional", ""]),
                 uncorrected,

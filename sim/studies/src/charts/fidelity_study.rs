@@ -32,7 +32,7 @@ pub struct Options {
     /// Also simulates frames in which the netlist executes every pipeline operation.
     pub rtl: bool,
     /// A preset machine or a TOML file.
-    pub machine: String,
+    pub machine: PathBuf,
     /// Changed keys of the machine.
     pub settings: Vec<String>,
     /// The folder that is written; if absent, `fidelity-` and the scene's name.
@@ -55,6 +55,7 @@ pub struct FidelityChart {
     pub height: u32,
     pub batches: u32,
     pub points: Vec<FidelityPoint>,
+    #[serde(skip)]
     pub artifacts: Vec<String>,
 }
 

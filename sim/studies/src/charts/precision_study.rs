@@ -33,7 +33,7 @@ pub struct Options {
     /// Formats with more than this many times the node visits of binary32 are left out.
     pub most_visits: f64,
     /// The machine that simulates the frame in each format, and its changed keys.
-    pub machine: Option<(String, Vec<String>)>,
+    pub machine: Option<(PathBuf, Vec<String>)>,
     /// The folder that is written; if absent, `precision-` and the scene's name.
     pub out: Option<PathBuf>,
     /// Writes into the folder even if it holds files that the tool did not make.
@@ -60,6 +60,7 @@ pub struct PrecisionChart {
     pub left_out: Vec<String>,
     /// The source of area and energy.
     pub cost_source: Option<String>,
+    #[serde(skip)]
     pub artifacts: Vec<String>,
 }
 

@@ -8,6 +8,9 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+/// Most bytes of a state.
+const MOST_BYTES: u64 = 1 << 20;
+
 /// Blocks between two writings of the state.
 const BLOCKS_AT_ONCE: u64 = 4096;
 
@@ -68,7 +71,7 @@ pub fn run(
 /// The state that an interrupted run left, or that of a check that begins.
 fn resume(path: &Path, check: &Exhaustive) -> anyhow::Result<State> {
     let fresh = check.start();
-    let text = match std::fs::read_to_string(path) {
+    let text = match base::input::read_text(path, MOST_BYTES) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(fresh),
         Err(error) => return Err(error).with_context(|| format!("{}: cannot be read", path.display())),

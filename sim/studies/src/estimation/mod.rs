@@ -121,8 +121,8 @@ pub struct PipelineRow {
     pub energy_with_glitches: Breakdown,
     pub operations: u64,
     pub glitch_operations: u64,
-    /// Standard error of the energy with glitches, as a fraction of it.
-    pub glitch_error: f64,
+    /// Standard error of the energy with glitches, as a fraction of it; absent where one sample was all.
+    pub glitch_error: Option<f64>,
     pub cells: usize,
     pub registers: usize,
     pub leakage_uw: f64,
@@ -168,12 +168,12 @@ pub struct RatioRow {
     pub energy: f64,
 }
 
-/// Maps the pipelines and measures them on the scenes' rays. Returns the report as numbers and as text, and writes it if a
-/// folder is given.
+/// Maps the pipelines and measures them on the scenes' rays. Returns the report as numbers and as text, and the files that it
+/// is written to if a folder is given.
 ///
 /// # Errors
 /// A scene or a library cannot be loaded, a pipeline cannot be mapped, synthesis fails, or a file cannot be written.
-pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates, String)> {
+pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates, String, Vec<PathBuf>)> {
     ensure!(
         !args.synthesis || args.liberty.len() == 1,
         "--synth needs one --liberty FILE, which yosys and ABC map to as well"
@@ -229,6 +229,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
     };
     let sections = report::sections(&estimates);
     let text = report::text(&sections);
+    let mut files = vec![];
     if let Some(folder) = &args.out {
         let mut artifacts = Artifacts::create(folder, args.force)?;
         let json = serde_json::to_vec_pretty(&estimates).context("estimate.json")?;
@@ -236,9 +237,9 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
         artifacts.write("estimate.json", &json)?;
         artifacts.write("estimate.csv", &numbers::csv(&estimates)?)?;
         artifacts.write("estimate.html", report::html(&sections).as_bytes())?;
-        artifacts.finish()?;
+        files = artifacts.finish()?;
     }
-    Ok((estimates, text))
+    Ok((estimates, text, files))
 }
 
 fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Result<PipelineRow> {

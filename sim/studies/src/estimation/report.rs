@@ -178,7 +178,7 @@ fn breakdowns(document: &Estimates) -> Section {
     for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
         notes.push(format!(
             "{}: {} cells, {} flip-flops, critical path {:.3} ns ({:.0} MHz), leakage {:.3} uW; energy of {} operations, with \
-             glitches of {} (standard error {:.1} %).",
+             glitches of {} (standard error {}).",
             pipeline.name,
             pipeline.cells,
             pipeline.registers,
@@ -187,7 +187,7 @@ fn breakdowns(document: &Estimates) -> Section {
             pipeline.leakage_uw,
             pipeline.operations,
             pipeline.glitch_operations,
-            100.0 * pipeline.glitch_error
+            percent(pipeline.glitch_error)
         ));
     }
     let header = ["pipeline", "part", "um2", "%", "pJ", "%", "pJ with glitches", "%"];
@@ -244,7 +244,7 @@ fn scenes(document: &Estimates) -> Section {
             fixed(row.energy.zero_delay.logic() / 1e3, 3),
             fixed(row.energy.zero_delay.total() / 1e3, 3),
             fixed(row.energy.with_glitches.total() / 1e3, 3),
-            fixed(100.0 * row.energy.glitch_error, 1),
+            row.energy.glitch_error.map_or_else(String::new, |error| fixed(100.0 * error, 1)),
         ]
     });
     let header = [
@@ -302,4 +302,9 @@ fn synthesis(document: &Estimates) -> Section {
     let note =
         "yosys has no clock gates here: its logic holds a multiplexer for each register's enable.".to_owned();
     section("The exported Verilog in yosys and ABC", header, rows.collect(), vec![note])
+}
+
+/// A standard error in percent.
+fn percent(error: Option<f64>) -> String {
+    error.map_or_else(|| "unknown".to_owned(), |error| format!("{:.1} %", 100.0 * error))
 }

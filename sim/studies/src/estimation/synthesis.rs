@@ -2,6 +2,7 @@
 
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail, ensure};
+use base::output::Unfinished;
 use estimate::Implementation;
 use gates::liberty::Library;
 use gates::words::Structures;
@@ -34,13 +35,9 @@ pub fn run(
         .context("--synth: yosys; install it, or leave out --synth")?;
     let version =
         String::from_utf8_lossy(&version.stdout).split_whitespace().take(2).collect::<Vec<_>>().join(" ");
-    let folder = std::env::temp_dir().join(format!("dualsplit-synthesis-{}", std::process::id()));
-    std::fs::create_dir_all(&folder)
-        .with_context(|| format!("{}: cannot make the folder", folder.display()))?;
-    let result = rows(implementations, liberty, (&version, &folder), progress);
-    // Files that cannot be removed do no harm: the result is complete.
-    let _ = std::fs::remove_dir_all(&folder);
-    result
+    let folder = tempfile::tempdir().context("a temporary folder cannot be made")?;
+    let _unfinished = Unfinished::new(folder.path());
+    rows(implementations, liberty, (&version, folder.path()), progress)
 }
 
 fn rows(

@@ -3,6 +3,7 @@
 //! | level | what is done |
 //! |---|---|
 //! | [`Level::Analytic`] | the work of the rays is counted; time is the largest of work over peak rate: a lower bound |
+//! | [`Level::Queueing`] | the rays' instructions go through a model of caches and queues ([`machine::queueing`]) |
 //! | [`Level::Transaction`] | the machine is simulated |
 //! | [`Level::Rtl`] | the same, and the pipelines' netlists execute every operation beside golden and are compared bit for bit |
 //!
@@ -37,6 +38,7 @@
 pub mod analytic;
 pub mod auto;
 pub mod batches;
+pub mod queueing;
 pub mod ratio;
 mod sampled;
 mod window;
@@ -56,6 +58,8 @@ use std::fmt;
 pub enum Level {
     /// The largest of work over peak rate: a lower bound.
     Analytic,
+    /// Caches are simulated; units, banks and memory by how long one waits for them on the average.
+    Queueing,
     /// The machine is simulated.
     Transaction,
     /// The machine is simulated, and the netlists execute every pipeline operation.
@@ -64,16 +68,25 @@ pub enum Level {
 
 impl Level {
     /// All levels, the cheapest first.
-    pub const ALL: [Self; 3] = [Self::Analytic, Self::Transaction, Self::Rtl];
+    pub const ALL: [Self; 4] = [Self::Analytic, Self::Queueing, Self::Transaction, Self::Rtl];
 
     /// The name on the command line and in result files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Analytic => "analytic",
+            Self::Queueing => "queueing",
             Self::Transaction => "transaction",
             Self::Rtl => "rtl",
         }
+    }
+}
+
+impl Level {
+    /// Whether the machine is simulated cycle by cycle.
+    #[must_use]
+    pub fn simulates(self) -> bool {
+        matches!(self, Self::Transaction | Self::Rtl)
     }
 }
 
@@ -83,7 +96,7 @@ impl fmt::Display for Level {
     }
 }
 
-/// A quantity with its interval of 95 % confidence.
+/// A quantity with its interval of 95 % confidence; at the queueing level, with the error that was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Interval {
     /// The estimate.

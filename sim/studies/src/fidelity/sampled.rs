@@ -2,15 +2,16 @@
 
 use super::analytic;
 use super::batches::{Batches, Draw};
+use super::queueing;
 use super::ratio::{self, Pair, Stratum};
 use super::window::Window;
 use super::witness::Netlists;
 use super::{FidelityError, Interval, Level};
 use golden::structure::Structure;
 use machine::core::{Counts, Noted, Plan, simulate_plan};
-use machine::frame::{Checker, FrameMachine, FrameWork, Totals};
+use machine::frame::{Checker, FrameError, FrameMachine, FrameWork, Totals};
 use machine::program::Program;
-use machine::results::{Instructions, Results};
+use machine::results::{Instructions, Results, Tally};
 use render::RenderOptions;
 use scenes::Scene;
 use std::time::Instant;
@@ -106,13 +107,13 @@ impl Estimate {
     /// Whether every pixel was timed, so that the estimate is the frame itself.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        self.level != Level::Analytic && self.timed_share >= 1.0
+        self.level.simulates() && self.timed_share >= 1.0
     }
 
     /// Whether both intervals reach no farther than `tolerance`, a fraction of the value, to either side.
     #[must_use]
     pub fn is_within(&self, tolerance: f64) -> bool {
-        self.level != Level::Analytic
+        self.level.simulates()
             && self.frame_ms.relative() <= tolerance
             && self.energy_mj.relative() <= tolerance
     }
@@ -133,7 +134,7 @@ impl<'a> Subject<'a> {
         Batches::new(self.options.width * self.options.height, size)
     }
 
-    /// Estimates the frame at `level` on `sample`. `pixels_done` is called with the number of pixels begun since its last call.
+    /// Estimates the frame at `level` on `sample`, or as a whole at the queueing level. `pixels_done` is called with the number of pixels begun since its last call.
     ///
     /// # Errors
     /// [`FidelityError`].
@@ -145,6 +146,12 @@ impl<'a> Subject<'a> {
     ) -> Result<Estimate, FidelityError> {
         match level {
             Level::Analytic => self.analytic(sample),
+            Level::Queueing => {
+                let program = self.machine.program().map_err(FrameError::from)?;
+                let mut estimates =
+                    queueing::estimates(self, &[(self.machine.clone(), program)], pixels_done)?;
+                Ok(estimates.pop().expect("one machine has one estimate"))
+            }
             Level::Rtl if self.machine.pipeline.is_none() => {
                 Err(FidelityError::NoPipeline(self.machine.structure.name()))
             }
@@ -152,13 +159,14 @@ impl<'a> Subject<'a> {
         }
     }
 
-    fn work(&self, rtl: bool) -> Result<FrameWork<'a>, FidelityError> {
+    pub(super) fn work(&self, rtl: bool) -> Result<FrameWork<'a>, FidelityError> {
         let checker = rtl.then_some(&Netlists as &dyn Checker);
         Ok(FrameWork::new(self.machine, self.scene, self.structure, self.options, checker)?)
     }
 
     fn results(&self, program: &Program, counts: &Counts) -> Result<Results, FidelityError> {
-        Ok(Results::new(&self.machine.description, self.machine.pipeline.as_ref(), program, counts)?)
+        let tally = Tally::new(program, counts);
+        Ok(Results::new(&self.machine.description, self.machine.pipeline.as_ref(), &tally)?)
     }
 
     /// The analytic bound, with an interval by the spread of work between batches.

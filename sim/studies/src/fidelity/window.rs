@@ -7,12 +7,15 @@ use machine::core::{CacheCounts, Counts, DramCounts, Noted, ThreadCycles};
 pub(super) struct Window(pub(super) [f64; Self::FIELDS]);
 
 impl Window {
-    pub(super) const FIELDS: usize = 1 + 7 + 2 * 5 + 9;
+    const CACHE_FIELDS: usize = 6;
+    pub(super) const FIELDS: usize = 1 + 7 + 2 * Self::CACHE_FIELDS + 9;
 
     pub(super) fn new(noted: &Noted) -> Self {
         let ThreadCycles { issue, data, units, memory, fetch, nop, halted } = noted.thread_cycles;
         let d = &noted.dram;
-        let cache = |c: &CacheCounts| [c.loads, c.hits, c.joined, c.stores, c.bank_conflicts];
+        let cache = |c: &CacheCounts| -> [u64; Self::CACHE_FIELDS] {
+            [c.loads, c.hits, c.joined, c.stores, c.bank_conflicts, c.register_conflicts]
+        };
         let all = [u64::from(noted.cycles), issue, data, units, memory, fetch, nop, halted]
             .into_iter()
             .chain(cache(&noted.l1))
@@ -51,23 +54,25 @@ impl Window {
             joined: rest[at + 2],
             stores: rest[at + 3],
             bank_conflicts: rest[at + 4],
+            register_conflicts: rest[at + 5],
         };
+        let d = &rest[2 * Self::CACHE_FIELDS..];
         Counts {
             cycles: u32::try_from(cycles).unwrap_or(u32::MAX),
             thread_cycles: ThreadCycles { issue, data, units, memory, fetch, nop, halted },
             runs: vec![],
             l1: cache(0),
-            l2: cache(5),
+            l2: cache(Self::CACHE_FIELDS),
             dram: DramCounts {
-                reads: rest[10],
-                writes: rest[11],
-                merged_reads: rest[12],
-                merged_writes: rest[13],
-                activates: rest[14],
-                refreshes: rest[15],
-                read_latency_clocks: rest[16],
-                active_clocks: rest[17],
-                refused: rest[18],
+                reads: d[0],
+                writes: d[1],
+                merged_reads: d[2],
+                merged_writes: d[3],
+                activates: d[4],
+                refreshes: d[5],
+                read_latency_clocks: d[6],
+                active_clocks: d[7],
+                refused: d[8],
             },
         }
     }

@@ -1,74 +1,35 @@
-//! The needs as files: the machine and the pipeline, and a chart of each knee.
+//! The needs as files: a machine, and a chart of each knee.
 
-use super::reuse::LINE_BYTES;
 use super::study::Needs;
 use crate::charts::precision::PrecisionPoint;
 use machine::description::MachineDescription;
 use serde::Serialize;
 use view::plot::{Axis, Chart, Point, Series, Style};
 
-/// The smallest cache of the machine, which has banks.
+/// The smallest cache whose cost is known.
 const LEAST_CACHE_BYTES: u64 = 1 << 10;
 /// The most multiprocessors that a machine description allows.
 const MOST_TMS: u32 = 1 << 12;
 
-/// The machine and the pipeline as a file.
+/// The needs that are no keys of the machine, and those that its keys follow from.
 #[derive(Serialize)]
-struct Toml<'a> {
+struct NeedsTable<'a> {
     scene: &'a str,
-    pipeline: PipelineToml,
-    tree: TreeToml,
-    cache: CacheToml,
-    chip: ChipToml,
-}
-
-#[derive(Serialize)]
-struct PipelineToml {
     variant: &'static str,
     exponent_bits: u32,
     significand_bits: u32,
-    stack_entries: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
     export_format: Option<&'static str>,
-}
-
-#[derive(Serialize)]
-struct TreeToml {
+    stack_entries: u32,
     address_bits: u32,
     carve_levels: usize,
-}
-
-#[derive(Serialize)]
-struct CacheToml {
-    bytes: u64,
-    line_bytes: u64,
-}
-
-#[derive(Serialize)]
-struct ChipToml {
+    cache_bytes: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     tms: Option<u32>,
 }
 
-/// The needs as TOML.
-pub fn toml(d: &Needs) -> anyhow::Result<String> {
-    let toml = Toml {
-        scene: &d.scene,
-        pipeline: PipelineToml {
-            variant: d.variant,
-            exponent_bits: d.exponent_bits,
-            significand_bits: d.significand_bits,
-            stack_entries: d.stack_entries,
-            export_format: d.export_format,
-        },
-        tree: TreeToml { address_bits: d.address_bits, carve_levels: d.carve_levels },
-        cache: CacheToml { bytes: d.cache_bytes, line_bytes: LINE_BYTES },
-        chip: ChipToml { tms: d.tms },
-    };
-    Ok(::toml::to_string(&toml)?)
-}
-
-/// The preset machine with the needed cache and number of multiprocessors, for `dualsplit simulate --machine`.
+/// The preset machine with the needed cache and number of multiprocessors, for `dualsplit simulate --machine`. Its section `needs`
+/// has all needs.
 pub fn machine(d: &Needs) -> anyhow::Result<MachineDescription> {
     let preset = MachineDescription::load("trax", &[])?;
     let partitions = preset.chip.l2_partitions;
@@ -79,7 +40,19 @@ pub fn machine(d: &Needs) -> anyhow::Result<MachineDescription> {
     let most = MOST_TMS / partitions;
     settings
         .extend(d.tms.map(|tms| format!("chip.tms_per_partition={}", tms.div_ceil(partitions).min(most))));
-    Ok(MachineDescription::load("trax", &settings)?)
+    let needs = toml::Table::try_from(NeedsTable {
+        scene: &d.scene,
+        variant: d.variant,
+        exponent_bits: d.exponent_bits,
+        significand_bits: d.significand_bits,
+        export_format: d.export_format,
+        stack_entries: d.stack_entries,
+        address_bits: d.address_bits,
+        carve_levels: d.carve_levels,
+        cache_bytes: d.cache_bytes,
+        tms: d.tms,
+    })?;
+    Ok(MachineDescription { needs: Some(needs), ..MachineDescription::load("trax", &settings)? })
 }
 
 /// The charts with their file names, which lack the extension.

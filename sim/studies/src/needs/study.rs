@@ -89,6 +89,7 @@ pub struct Needs {
     pub exponent_sweep: Vec<PrecisionPoint>,
     pub carve_visits: [u64; golden::dst::MAX_CARVES],
     pub miss_curve: Vec<CachePoint>,
+    #[serde(skip)]
     pub artifacts: Vec<String>,
 }
 
@@ -205,8 +206,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Needs> {
         miss_curve,
         artifacts: vec![],
     };
-    artifacts.write("needs.toml", files::toml(&needs)?.as_bytes())?;
-    artifacts.write("machine.toml", files::machine(&needs)?.to_toml().as_bytes())?;
+    artifacts.write("needs.toml", files::machine(&needs)?.to_toml().as_bytes())?;
     for (name, chart) in files::charts(&needs) {
         artifacts.write(&format!("{name}.svg"), chart.svg().as_bytes())?;
     }

@@ -94,6 +94,10 @@ pub fn run(args: &Options, command: Command<'_>, progress: &dyn Progress) -> any
     let parts = (stages.len() + CATALOGUE.len(), seconds + CATALOGUE.len() as f64 * preset.scene_seconds);
     let folders: BTreeSet<&str> = stages.iter().map(|stage| stage.folder.as_str()).collect();
     let name = format!("reproduce {} {}", preset.name, document.mode);
+    progress.note(&format!(
+        "finished parts are kept in {}; after an interruption the same command continues there",
+        args.out.display()
+    ));
     let mut job =
         Job::begin(&args.out, &name, (args.seed, command, progress), &mut artifacts, parts, &folders)?;
     for entry in CATALOGUE {

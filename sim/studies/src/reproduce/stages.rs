@@ -10,6 +10,7 @@ use anyhow::Context;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::Path;
 use std::time::{Instant, UNIX_EPOCH};
@@ -38,7 +39,7 @@ pub struct Finding {
 }
 
 /// A function that runs a command of the tool. It takes the words of the command line, beginning with the program's name.
-pub type Command<'a> = &'a dyn Fn(&[String]) -> anyhow::Result<Finding>;
+pub type Command<'a> = &'a dyn Fn(&[OsString]) -> anyhow::Result<Finding>;
 
 /// The result of a part, with its command.
 #[derive(Clone, Serialize, Deserialize)]
@@ -143,12 +144,15 @@ impl<'a> Job<'a> {
         let (seed, run) = (self.seed, self.command);
         self.part(&stage.name, stage.seconds, artifacts, |_| {
             let seed = (seed != 0).then(|| format!("--seed {seed}"));
-            let mut words = vec!["dualsplit".to_owned()];
+            let mut words = vec![OsString::from("dualsplit")];
             words.extend(
-                stage.words.iter().map(|word| if word == FOLDER { display(&folder) } else { word.clone() }),
+                stage
+                    .words
+                    .iter()
+                    .map(|word| if word == FOLDER { folder.clone().into() } else { word.into() }),
             );
-            words.extend(seed.iter().flat_map(|seed| seed.split(' ')).map(str::to_owned));
-            let command = words.join(" ");
+            words.extend(seed.iter().flat_map(|seed| seed.split(' ')).map(OsString::from));
+            let command = words.join(OsStr::new(" ")).to_string_lossy().into_owned();
             let start = Instant::now();
             let Finding { report, difference } = run(&words).with_context(|| command.clone())?;
             Ok(Outcome { report, difference, command, seconds: start.elapsed().as_secs_f64() })

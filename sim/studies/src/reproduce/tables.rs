@@ -15,8 +15,6 @@ struct TreeLine<'a> {
     sah_cost: f64,
     expected_node_visits: f64,
     max_depth: u32,
-    build_ms: f64,
-    convert_ms: f64,
     carve_nodes_per_split: Option<f64>,
 }
 
@@ -36,8 +34,6 @@ pub fn trees_csv(document: &Document) -> anyhow::Result<Vec<u8>> {
                 sah_cost: s.sah_cost,
                 expected_node_visits: s.expected_node_visits,
                 max_depth: s.max_depth,
-                build_ms: s.build_ms,
-                convert_ms: s.convert_ms,
                 carve_nodes_per_split: s.carve_nodes_per_split,
             })?;
         }

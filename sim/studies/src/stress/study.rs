@@ -20,9 +20,9 @@ use view::picture::png;
 pub struct Options {
     /// The most rays of each known case.
     pub rays: u64,
-    /// Number of rays that are aimed at corners, edges and faces.
+    /// Number of rays that are aimed at corners, edges and faces of four meshes, at least 4.
     pub aimed: u64,
-    /// Number of rays per method and mesh that a search walks towards the worst case.
+    /// Number of rays per method and mesh that a search walks towards the worst case; none if 0.
     pub searches: u64,
     /// The methods; all if the list is empty.
     pub methods: Vec<Method>,
@@ -43,6 +43,7 @@ pub struct Stress {
     pub rays_per_case: u64,
     pub aimed_rays: u64,
     pub cells: Vec<Cell>,
+    #[serde(skip)]
     pub artifacts: Vec<String>,
     /// The sum of each method's cells. It names the worst case in place of the case.
     #[serde(skip)]
@@ -126,7 +127,8 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Stress> {
     drop(part);
 
     let part = Part::begin(progress, methods.len() as u64, "search");
-    for method in methods.iter().filter(|method| !method.is_interpreted()) {
+    let searched = |method: &&Method| args.searches > 0 && !method.is_interpreted();
+    for method in methods.iter().filter(searched) {
         part.next(&method.to_string());
         for (name, mesh) in &targets {
             let name = name.replace("aimed", "searched");

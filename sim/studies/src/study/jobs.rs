@@ -4,7 +4,8 @@ use anyhow::Context;
 use machine::description::MachineDescription;
 use machine::frame::MachineStructure;
 use render::Test;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use std::path::Path;
 
 /// The size of a study.
 pub struct Preset {
@@ -15,7 +16,7 @@ pub struct Preset {
     /// Partitions and multiprocessors per partition.
     pub chip: [u32; 2],
     /// Multiprocessors of the scaling runs, up to eight in a partition.
-    scaling_tms: &'static [u32],
+    pub scaling_tms: &'static [u32],
 }
 
 /// The size for the main job, which has two minutes for the study.
@@ -37,7 +38,7 @@ impl Preset {
 }
 
 /// The series that a simulation belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Series {
     /// All scenes, structures and tests.
@@ -55,6 +56,11 @@ pub const SCALING_TEST: Test = Test::Path;
 pub const WIDTH_SCENES: [&str; 2] = ["atrium", "hairball"];
 pub const WIDTH_TEST: Test = Test::Path;
 const WIDER_LOADS: [&str; 3] = ["2", "4", "line"];
+
+/// The settings of a machine with so many partitions and multiprocessors per partition.
+pub fn chip_settings([partitions, tms]: [u32; 2]) -> [String; 2] {
+    [format!("chip.l2_partitions={partitions}"), format!("chip.tms_per_partition={tms}")]
+}
 
 /// One simulation.
 #[derive(Clone, Copy)]
@@ -101,17 +107,16 @@ impl Job {
     }
 
     /// The machine of this simulation: that of the command line, with the settings that the study varies.
-    pub fn machine(&self, name: &str, settings: &[String]) -> anyhow::Result<MachineDescription> {
+    pub fn machine(&self, name: &Path, settings: &[String]) -> anyhow::Result<MachineDescription> {
         let mut settings = settings.to_vec();
-        settings.push(format!("chip.l2_partitions={}", self.chip[0]));
-        settings.push(format!("chip.tms_per_partition={}", self.chip[1]));
+        settings.extend(chip_settings(self.chip));
         if self.series == Series::LoadWidth {
             settings.push(format!("tm.load_words={}", self.load_words));
         }
         Ok(MachineDescription::load(name, &settings)?)
     }
 
-    /// The file that keeps the row of this simulation.
+    /// The file that keeps the record of this simulation.
     pub fn file(&self, scene: &str, preset: &str) -> String {
         let part = match self.series {
             Series::Main => String::new(),

@@ -1,26 +1,34 @@
-//! The paper's study: all scenes, structures and tests on the machine. The study keeps its runs in files and repeats none.
+//! The paper's study: all scenes, structures and tests on the machine. The study keeps its runs in files and repeats none. A file
+//! holds what its run counted, so that the tables are always at the prices of the machine that is asked for.
 
 pub mod comparison;
 mod jobs;
 mod plots;
+mod record;
 pub mod row;
+pub mod sensitivity;
+mod settings;
 
 use crate::artifacts::Artifacts;
 use crate::input::{Built, display};
 use crate::progress::{Part, Progress};
-use anyhow::{Context, bail};
+use anyhow::bail;
+use base::input::read_text;
 use comparison::{Claim, compare};
+use costs::Pipeline;
 use estimate::Method;
 use golden::build::Quality;
 use golden::structure::{Structure, StructureKind};
 use jobs::{Job, Preset};
-use machine::frame::{FrameMachine, frame};
-use machine::results::Results;
+use machine::costs::CacheCosts;
+use machine::frame::FrameMachine;
 use rayon::prelude::*;
-use render::RenderOptions;
+use record::{Planned, Record};
 use row::Row;
 use scenes::Scene;
 use serde::Serialize;
+use settings::Settings;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,7 +45,7 @@ pub struct Options {
     /// How the trees are built.
     pub quality: Quality,
     /// A preset machine or a TOML file.
-    pub machine: String,
+    pub machine: PathBuf,
     /// Changed keys of the machine.
     pub settings: Vec<String>,
     /// How area and energy of the pipelines are found.
@@ -59,6 +67,7 @@ pub struct Study {
     pub scaling: Vec<Row>,
     pub load_width: Vec<Row>,
     pub comparison: Vec<Claim>,
+    #[serde(skip)]
     pub artifacts: Vec<String>,
 }
 
@@ -68,23 +77,41 @@ pub struct Study {
 /// There is no such preset, scene or machine, a run fails, or a file cannot be read or written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
     let preset = Preset::find(&args.preset)?;
-    let names: Vec<&str> = scenes::procedural::CATALOGUE.iter().map(|entry| entry.name).collect();
-    let chosen: Vec<&str> = match &args.scene {
-        Some(scene) => match names.iter().find(|name| **name == scene.as_str()) {
-            Some(name) => vec![*name],
-            None => bail!("--scene {scene}: the study's scenes are {}", names.join(", ")),
-        },
-        None => names,
-    };
+    let chosen = scenes_of(args)?;
+    let planned = planned(preset, args)?;
     let mut artifacts = Artifacts::create(&args.out, args.force)?;
-    let mut runs = finished(&args.out)?;
+    let settings = Settings::of(args)?;
+    settings.compare(args)?;
+    artifacts.write(settings::FILE, serde_json::to_string_pretty(&settings)?.as_bytes())?;
+    progress.note(&format!(
+        "finished runs are kept in {}; after an interruption the same command continues there",
+        args.out.display()
+    ));
+    let mut runs = finished(&args.out);
     for scene in chosen {
-        simulate_scene(scene, preset, args, progress, &mut runs, &mut artifacts)?;
+        let of_scene: Vec<&Planned> = planned.iter().filter(|planned| planned.scene == scene).collect();
+        simulate_scene(scene, &of_scene, preset, args, progress, &mut runs, &mut artifacts)?;
     }
-    for (name, row) in &runs {
-        artifacts.write(name, serde_json::to_string_pretty(row)?.as_bytes())?;
+    for (name, record) in &runs {
+        artifacts.write(name, serde_json::to_string_pretty(record)?.as_bytes())?;
     }
-    let all: Vec<Row> = runs.into_values().filter(|row| row.preset == args.preset).collect();
+    let mut all: Vec<Row> = vec![];
+    let mut others = 0;
+    for planned in &planned {
+        match runs.get(&planned.file) {
+            Some(record) if record.fingerprint == planned.fingerprint => {
+                all.push(planned.row(&args.preset, preset, record)?);
+            }
+            Some(_) => others += 1,
+            None => {}
+        }
+    }
+    if others > 0 {
+        progress.note(&format!(
+            "{}: {others} kept runs of scenes that are not simulated now are of another machine, tree or version, and in no table",
+            display(&args.out)
+        ));
+    }
     let of = |series| row::of_series(&all, series);
     let (rows, scaling, load_width) = (of(Series::Main), of(Series::Scaling), of(Series::LoadWidth));
     let comparison = compare(&rows, &scaling);
@@ -101,50 +128,77 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
     Ok(study)
 }
 
-/// The runs that an earlier study left in `folder`.
-fn finished(folder: &Path) -> anyhow::Result<BTreeMap<String, Row>> {
-    let mut runs = BTreeMap::new();
-    let Ok(entries) = fs::read_dir(folder.join("runs")) else {
-        return Ok(runs);
+/// The scenes of the study.
+fn scenes_of(args: &Options) -> anyhow::Result<Vec<&str>> {
+    let names: Vec<&str> = scenes::procedural::CATALOGUE.iter().map(|entry| entry.name).collect();
+    match &args.scene {
+        Some(scene) => match names.iter().find(|name| **name == scene.as_str()) {
+            Some(name) => Ok(vec![*name]),
+            None => bail!("--scene {scene}: the study's scenes are {}", names.join(", ")),
+        },
+        None => Ok(names),
+    }
+}
+
+/// All simulations of all scenes, in the order of their files.
+fn planned(preset: &Preset, args: &Options) -> anyhow::Result<Vec<Planned>> {
+    // All simulations share few pipelines, which take a while to elaborate.
+    let elaborated: RefCell<BTreeMap<String, Pipeline>> = RefCell::default();
+    let elaborate = estimate::by_name(args.pipeline_cost);
+    let pipeline = |name: &str| {
+        elaborated.borrow_mut().entry(name.to_owned()).or_insert_with(|| elaborate(name)).clone()
     };
-    for entry in entries {
-        let entry = entry?;
-        let name = format!("runs/{}", entry.file_name().to_string_lossy());
-        let text = fs::read_to_string(entry.path()).with_context(|| display(&entry.path()))?;
-        // A file of an older version does not parse, and its run is simulated again.
-        if let Ok(row) = serde_json::from_str(&text) {
-            runs.insert(name, row);
+    let mut all = vec![];
+    for scene in scenes::procedural::CATALOGUE {
+        for job in Job::of_scene(scene.name, preset) {
+            let machine = job.machine(&args.machine, &args.settings)?;
+            let machine = FrameMachine::new(&machine, job.structure, pipeline)?;
+            let fingerprint = record::fingerprint(&machine, args.quality, args.seed, preset);
+            let file = job.file(scene.name, &args.preset);
+            all.push(Planned { scene: scene.name.to_owned(), job, machine, file, fingerprint });
         }
     }
-    Ok(runs)
+    all.sort_by(|a, b| a.file.cmp(&b.file));
+    Ok(all)
+}
+
+/// The runs that an earlier study left in `folder`. What is no run, or one of an older version, is left out.
+fn finished(folder: &Path) -> BTreeMap<String, Record> {
+    let entries = fs::read_dir(folder.join("runs")).into_iter().flatten().flatten();
+    let run = |entry: fs::DirEntry| {
+        let name = format!("runs/{}", entry.file_name().to_str()?);
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        let text = is_file.then(|| read_text(&entry.path(), record::MOST_BYTES).ok()).flatten()?;
+        Some((name, serde_json::from_str(&text).ok()?))
+    };
+    entries.filter_map(run).collect()
 }
 
 fn simulate_scene(
     name: &str,
+    planned: &[&Planned],
     preset: &Preset,
     args: &Options,
     progress: &dyn Progress,
-    runs: &mut BTreeMap<String, Row>,
+    runs: &mut BTreeMap<String, Record>,
     artifacts: &mut Artifacts,
 ) -> anyhow::Result<()> {
-    let mut open = vec![];
-    for job in Job::of_scene(name, preset) {
-        let machine = job.machine(&args.machine, &args.settings)?;
-        let machine = FrameMachine::new(&machine, job.structure, estimate::by_name(args.pipeline_cost))?;
-        let file = job.file(name, &args.preset);
-        let fingerprint = row::fingerprint(&machine, args.quality, args.seed, preset);
-        if runs.get(&file).is_none_or(|row| row.fingerprint != fingerprint) {
-            open.push((job, machine, file, fingerprint));
-        }
-    }
+    let is_open = |planned: &&&Planned| {
+        runs.get(&planned.file).is_none_or(|record| record.fingerprint != planned.fingerprint)
+    };
+    let open: Vec<&Planned> = planned.iter().filter(is_open).copied().collect();
     if open.is_empty() {
         return Ok(());
+    }
+    for planned in &open {
+        // A machine whose parts have no cost shows before a frame is simulated.
+        CacheCosts::new(&planned.machine.description)?;
     }
     let scene = Scene::load(name, preset.detail, args.seed)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let structures = StructureKind::ALL
         .into_par_iter()
-        .filter(|kind| open.iter().any(|(job, ..)| job.structure.kind() == *kind))
+        .filter(|kind| open.iter().any(|planned| planned.job.structure.kind() == *kind))
         .map(|kind| Ok(built.convert(kind)?.0))
         .collect::<anyhow::Result<Vec<Structure>>>()?;
     let part = Part::begin(progress, open.len() as u64, name);
@@ -152,49 +206,16 @@ fn simulate_scene(
     for batch in open.chunks(rayon::current_num_threads().max(1)) {
         let done = batch
             .par_iter()
-            .map(|(job, machine, file, fingerprint)| {
-                let row = simulate_one(&scene, &structures, preset, args, job, machine, fingerprint)?;
+            .map(|planned| {
+                let record = planned.simulate(preset, args.seed, &scene, &structures)?;
                 part.advance(1);
-                Ok((file.clone(), row))
+                Ok((planned.file.clone(), record))
             })
-            .collect::<anyhow::Result<Vec<(String, Row)>>>()?;
-        for (file, row) in done {
-            artifacts.write(&file, serde_json::to_string_pretty(&row)?.as_bytes())?;
-            runs.insert(file, row);
+            .collect::<anyhow::Result<Vec<(String, Record)>>>()?;
+        for (file, record) in done {
+            artifacts.write(&file, serde_json::to_string_pretty(&record)?.as_bytes())?;
+            runs.insert(file, record);
         }
     }
     Ok(())
-}
-
-#[allow(clippy::too_many_arguments, reason = "everything that a run depends on")]
-fn simulate_one(
-    scene: &Scene,
-    structures: &[Structure],
-    preset: &Preset,
-    args: &Options,
-    job: &Job,
-    set_up: &FrameMachine,
-    fingerprint: &str,
-) -> anyhow::Result<Row> {
-    let structure = structures.iter().find(|s| s.kind() == job.structure.kind()).expect("all kinds");
-    let mut options = RenderOptions::new(job.test, preset.width, preset.height);
-    options.seed = args.seed;
-    let frame = frame(set_up, scene, structure, &options, |_| {})?;
-    let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &frame.program, &frame.counts)?;
-    Ok(Row::new(
-        row::Run {
-            preset: &args.preset,
-            scene,
-            structure: job.structure.name(),
-            test: job.test.name(),
-            tms: set_up.description.chip.tms(),
-            series: job.series,
-            load_words: job.load_words,
-            node_bytes: structure.node_bytes(),
-            fingerprint,
-        },
-        &options,
-        &frame,
-        &results,
-    ))
 }

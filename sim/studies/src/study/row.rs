@@ -1,16 +1,12 @@
 //! One line of the study's tables.
 
 use super::jobs::{Preset, SCALING_SCENE, SCALING_TEST, Series, WIDTH_SCENES, WIDTH_TEST};
-use golden::build::Quality;
-use machine::frame::{Frame, FrameMachine};
+use super::record::{Planned, Record};
 use machine::results::Results;
-use render::RenderOptions;
-use scenes::Scene;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// A simulated frame: its scene, structure and machine, and its results.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(missing_docs, reason = "keys of result files, with their units")]
 pub struct Row {
     pub preset: String,
@@ -32,6 +28,10 @@ pub struct Row {
     pub dram_mj: f64,
     pub cache_mj: f64,
     pub compute_mj: f64,
+    /// Caches, instruction caches, registers and local stores.
+    pub on_chip_mj: f64,
+    /// Units and pipelines.
+    pub execution_mj: f64,
     pub l1_mj: f64,
     pub l2_mj: f64,
     pub icache_mj: f64,
@@ -53,45 +53,41 @@ pub struct Row {
     pub l1_hit_pct: f64,
     pub l2_hit_pct: f64,
     pub dram_gb_s: f64,
-    /// A hash of everything that the run depends on except its scene and test.
+    /// A hash of everything that the run's counts depend on except its scene and test.
     pub fingerprint: String,
 }
 
-/// The scene, test and structure of a run.
-pub(super) struct Run<'a> {
-    pub preset: &'a str,
-    pub scene: &'a Scene,
-    pub structure: &'a str,
-    pub test: &'a str,
-    pub tms: u32,
-    pub series: Series,
-    pub load_words: &'a str,
-    pub node_bytes: usize,
-    pub fingerprint: &'a str,
-}
-
 impl Row {
-    pub(super) fn new(run: Run<'_>, options: &RenderOptions, frame: &Frame, results: &Results) -> Self {
+    /// The row of a run that the preset `name` plans.
+    pub(super) fn new(
+        name: &str,
+        preset: &Preset,
+        planned: &Planned,
+        record: &Record,
+        results: &Results,
+    ) -> Self {
         let percent = |class: &str| results.thread_cycles[class];
         Self {
-            preset: run.preset.to_owned(),
-            scene: run.scene.name.clone(),
-            triangles: run.scene.mesh.triangles.len() as u64,
-            structure: run.structure.to_owned(),
-            test: run.test.to_owned(),
-            width: options.width,
-            height: options.height,
-            tms: run.tms,
-            series: run.series,
-            load_words: run.load_words.to_owned(),
-            node_bytes: run.node_bytes as u64,
-            rays: frame.rays,
+            preset: name.to_owned(),
+            scene: planned.scene.clone(),
+            triangles: record.triangles,
+            structure: planned.job.structure.name().to_owned(),
+            test: planned.job.test.name().to_owned(),
+            width: preset.width,
+            height: preset.height,
+            tms: planned.machine.description.chip.tms(),
+            series: planned.job.series,
+            load_words: planned.job.load_words.to_owned(),
+            node_bytes: record.node_bytes,
+            rays: record.rays,
             cycles: results.cycles.into(),
             frame_ms: results.frame_ms,
             energy_mj: results.energy_mj.total,
             dram_mj: results.energy_groups_mj.dram,
             cache_mj: results.energy_groups_mj.cache,
             compute_mj: results.energy_groups_mj.compute,
+            on_chip_mj: results.energy_storage_mj.on_chip,
+            execution_mj: results.energy_storage_mj.execution,
             l1_mj: results.energy_mj.l1,
             l2_mj: results.energy_mj.l2,
             icache_mj: results.energy_mj.icache,
@@ -113,26 +109,9 @@ impl Row {
             l1_hit_pct: results.caches.l1_hit_pct,
             l2_hit_pct: results.caches.l2_hit_pct,
             dram_gb_s: results.bandwidth_gb_s.dram,
-            fingerprint: run.fingerprint.to_owned(),
+            fingerprint: record.fingerprint.clone(),
         }
     }
-}
-
-/// A hash of everything that a run depends on except its scene and test: scene size, tree quality, machine, pipeline, program.
-pub(super) fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
-    let version = env!("CARGO_PKG_VERSION");
-    let Preset { detail, width, height, .. } = preset;
-    let everything = format!(
-        "{version} {seed} {detail} {width}x{height} {quality:?}\n{}\n{:?}\n{}",
-        machine.description.to_toml(),
-        machine.pipeline,
-        machine.structure.listing()
-    );
-    // FNV-1a, 64 bits.
-    let hash = everything
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
-    format!("{hash:016x}")
 }
 
 /// The rows of a series, with those of the main series that belong to it, in the order of the quantity that it varies.

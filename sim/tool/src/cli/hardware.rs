@@ -28,7 +28,7 @@ pub struct CheckArgs {
     pub state: Option<PathBuf>,
     /// Instead, prove for all inputs and states that units and control equal independent references, and that the exported
     /// Verilog, read back by yosys if that is installed, equals the simulated graph.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "vectors")]
     pub prove: bool,
 }
 
@@ -43,8 +43,8 @@ pub struct ExportArgs {
     /// The unit or pipeline [default: all].
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Option<Top>,
-    /// Cycles in each testbench.
-    #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    /// Cycles in each testbench, at most 100,000: simulators hold them all in memory.
+    #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub vectors: u32,
     /// Clock period of the timing constraint in nanoseconds.
     #[arg(long, default_value_t = 1.0, value_name = "NS")]

@@ -3,6 +3,7 @@
 use super::values::{
     PipelineCostMethod, mode, pipeline_cost, quality, scene_format, size, structure, vector,
 };
+use anyhow::ensure;
 use clap::Args;
 use golden::Mode;
 use golden::build::Quality;
@@ -39,7 +40,11 @@ pub struct SceneArgs {
 }
 
 impl SceneArgs {
-    pub fn source(&self, global: &Global) -> SceneSource {
+    /// The scene.
+    ///
+    /// # Errors
+    /// An option that does not apply to it.
+    pub fn source(&self, global: &Global) -> anyhow::Result<SceneSource> {
         self.load.source(&self.scene, global)
     }
 }
@@ -56,21 +61,50 @@ pub struct LoadArgs {
 
 impl LoadArgs {
     /// The scene `name`, loaded like this.
-    pub fn source(self, name: &OsStr, global: &Global) -> SceneSource {
-        SceneSource {
+    ///
+    /// # Errors
+    /// Those of [`LoadArgs::sources`].
+    pub fn source(self, name: &OsStr, global: &Global) -> anyhow::Result<SceneSource> {
+        Ok(self.sources(&[name], global)?.remove(0))
+    }
+
+    /// The scenes `names`, loaded like this.
+    ///
+    /// # Errors
+    /// An option that applies to none of them.
+    pub fn sources(self, names: &[impl AsRef<OsStr>], global: &Global) -> anyhow::Result<Vec<SceneSource>> {
+        let source = |name: &OsStr| SceneSource {
             name: name.to_owned(),
             format: self.format,
-            detail: self.detail.detail,
+            detail: self.detail.value(),
             seed: global.seed,
-        }
+        };
+        let sources: Vec<SceneSource> = names.iter().map(|name| source(name.as_ref())).collect();
+        let files = sources.iter().filter(|source| source.path().is_some()).count();
+        ensure!(
+            self.detail.detail.is_none() || files < sources.len(),
+            "--detail scales built-in scenes, and a file is taken as it is; leave it away"
+        );
+        ensure!(
+            self.format.is_none() || files > 0,
+            "--format is that of a file, and a built-in scene has none; leave it away"
+        );
+        Ok(sources)
     }
 }
 
 #[derive(Args, Clone, Copy, Debug)]
 pub struct DetailArgs {
-    /// Fraction of a built-in scene's full number of triangles, above 0 and at most 1.
-    #[arg(long, default_value_t = 0.1, value_name = "FRACTION")]
-    pub detail: f64,
+    /// Fraction of a built-in scene's full number of triangles, above 0 and at most 1 [default: 0.1].
+    #[arg(long, value_name = "FRACTION")]
+    pub detail: Option<f64>,
+}
+
+impl DetailArgs {
+    /// The fraction.
+    pub fn value(self) -> f64 {
+        self.detail.unwrap_or(0.1)
+    }
 }
 
 #[derive(Args, Clone, Copy, Debug)]
@@ -136,14 +170,22 @@ impl StructureArgs {
     }
 }
 
+/// The machine that is simulated if none is named.
+pub const DEFAULT_MACHINE: &str = "trax";
+
 #[derive(Args, Debug)]
 pub struct MachineArgs {
     /// The machine: a preset (trax or simtrax-reference) or a TOML file.
-    #[arg(long, default_value = "trax", value_name = "MACHINE")]
-    pub machine: String,
+    #[arg(long, default_value = DEFAULT_MACHINE, value_name = "MACHINE")]
+    pub machine: PathBuf,
     /// Change a key of the machine, such as l1.size=64KiB; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub settings: Vec<String>,
+}
+
+/// Where area and energy of the pipelines come from.
+#[derive(Args, Debug)]
+pub struct CostArgs {
     /// Source of the pipelines' area and energy: published unit costs with our unit counts and glue; our netlist in the embedded
     /// library (130 nm); or that netlist scaled to 65 nm.
     #[arg(long, default_value = "published", value_name = "METHOD", value_parser = pipeline_cost())]

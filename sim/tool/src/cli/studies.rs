@@ -1,6 +1,6 @@
 //! Arguments of the commands that simulate, chart, stress and study.
 
-use super::shared::{LoadArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
+use super::shared::{CostArgs, LoadArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
 use super::values::{factor, fraction, machine_structure, not_negative, one_of, size, structure, test};
 use clap::{Args, Subcommand};
 use golden::Mode;
@@ -83,16 +83,19 @@ pub struct FidelityArgs {
     pub out: Option<PathBuf>,
 }
 
+/// The most rays that a case or a search keeps in memory.
+const MOST_RAYS: u64 = 1_000_000;
+
 #[derive(Args, Debug)]
 pub struct StressArgs {
     /// The most rays of each known case; interpreted netlists get a fiftieth.
-    #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_RAYS))]
     pub rays: u64,
     /// Number of rays aimed at corners, edges and faces of four meshes; interpreted netlists get 16 of each 16,384.
-    #[arg(long, default_value_t = 20_000, value_name = "N")]
+    #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(4..))]
     pub aimed: u64,
-    /// Number of rays per method and mesh that a search walks towards the worst case.
-    #[arg(long, default_value_t = 8, value_name = "N")]
+    /// Number of rays per method and mesh that a search walks towards the worst case; 0 for no search.
+    #[arg(long, default_value_t = 8, value_name = "N", value_parser = clap::value_parser!(u64).range(..=MOST_RAYS))]
     pub searches: u64,
     /// Only this method, such as dst/binary32-robust, bvh2/bfloat16-naive, rtl/binary32-fast; may be repeated.
     #[arg(long, value_name = "METHOD")]
@@ -134,6 +137,24 @@ pub struct NeedsArgs {
     pub out: Option<PathBuf>,
 }
 
+/// The options of `simulate` that say which frame is simulated, and how. Other jobs of the command have no use for them.
+const FRAME: [&str; 14] = [
+    "detail",
+    "format",
+    "structure",
+    "kernel",
+    "allow_difference",
+    "test",
+    "mode",
+    "quality",
+    "size",
+    "pipeline_cost",
+    "fidelity",
+    "sample",
+    "tolerance",
+    "csv",
+];
+
 #[derive(Args, Debug)]
 #[command(group(clap::ArgGroup::new("job").required(true).args(["scene", "validate", "dump_config", "dump_kernels"])))]
 pub struct SimulateArgs {
@@ -147,7 +168,7 @@ pub struct SimulateArgs {
     pub structure: MachineStructure,
     /// A program in the place of the structure's: a listing (.s), or a program in C (.c), which clang-14 (the variable CLANG
     /// names another) compiles. --dump-kernels writes the header, the sources and an example.
-    #[arg(long, value_name = "FILE", requires = "scene", conflicts_with_all = ["validate", "dump_config", "dump_kernels"])]
+    #[arg(long, value_name = "FILE")]
     pub kernel: Option<PathBuf>,
     /// Time such a program although its picture is not golden's, and count the pixels that differ.
     #[arg(long, requires = "kernel")]
@@ -164,8 +185,11 @@ pub struct SimulateArgs {
     pub size: [u32; 2],
     #[command(flatten)]
     pub machine: MachineArgs,
-    /// analytic: a lower bound from the work; transaction: the machine is simulated; rtl: in addition, netlists execute every
-    /// pipeline operation; auto: the cheapest level and sample within --tolerance.
+    #[command(flatten)]
+    pub cost: CostArgs,
+    /// analytic: a lower bound from the work; queueing: an estimate by caches and queueing theory; transaction: the machine is
+    /// simulated; rtl: in addition, netlists execute every pipeline operation; auto: the cheapest level and sample within
+    /// --tolerance.
     #[arg(long, default_value = "transaction", value_name = "LEVEL", hide_possible_values = true,
         value_parser = one_of(Fidelity::ALL, Fidelity::name))]
     pub fidelity: Fidelity,
@@ -176,17 +200,20 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "PERCENT", value_parser = fraction)]
     pub tolerance: Option<f64>,
     /// Also write the results as CSV: quantity, value, unit, meaning.
-    #[arg(long, value_name = "FILE", requires = "scene")]
+    #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Repeat the reference runs of a folder with the preset simtrax-reference, and compare the results; exit code 1 if a
     /// quantity is not within its tolerance.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["machine", "settings"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = FRAME, conflicts_with_all = ["machine", "settings"])]
     pub validate: Option<PathBuf>,
+    /// Only the runs of a set of rays, of one of its variants, or with so many multiprocessors; may be repeated.
+    #[arg(long, value_name = "SET[/VARIANT[/TMS]]", conflicts_with_all = ["scene", "dump_config", "dump_kernels"])]
+    pub row: Vec<String>,
     /// Print the machine as a TOML file.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = FRAME)]
     pub dump_config: bool,
     /// Write the header, sources and listings of the programs and an example to a folder, for programs of your own.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with_all = FRAME, conflicts_with_all = ["machine", "settings"])]
     pub dump_kernels: Option<PathBuf>,
 }
 
@@ -203,10 +230,19 @@ pub struct StudyArgs {
     /// The folder to write; runs that it already holds are not repeated.
     #[arg(long, default_value = "study", value_name = "DIR")]
     pub out: PathBuf,
+    /// Judge the paper's claims on many machines instead, by estimates: each key of the machine is varied over a range, on 8
+    /// multiprocessors. Writes the folder `sensitivity` in the folder.
+    #[arg(long)]
+    pub sensitivity: bool,
+    /// Machines of --sensitivity, from 8 to 1024.
+    #[arg(long, default_value_t = 48, value_name = "N", requires = "sensitivity", value_parser = clap::value_parser!(u32).range(8..=1024))]
+    pub machines: u32,
     #[command(flatten)]
     pub quality: QualityArgs,
     #[command(flatten)]
     pub machine: MachineArgs,
+    #[command(flatten)]
+    pub cost: CostArgs,
 }
 
 #[derive(Args, Debug)]

@@ -33,6 +33,9 @@ pub struct TreeArgs {
     /// The structure to save; dst_scratch is the dual-split tree of a partition optimized for dual-split trees.
     #[arg(long, default_value = "dst", requires = "save", value_parser = row())]
     pub structure: TreeKind,
+    /// Also build dst_scratch, which takes several times as long as all other structures.
+    #[arg(long)]
+    pub scratch: bool,
 }
 
 #[derive(Args, Debug)]

@@ -14,7 +14,7 @@ pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
     }
     let options = Options { unit: args.unit, vectors: args.vectors, fault: args.mutate, seed: global.seed };
     let checks = check::run(&options, &Bars::default())?;
-    let mut report = Report::new(&checks, text(&checks));
+    let mut report = Report::new(&checks, text(&checks), vec![]);
     report.difference = checks.units.iter().any(|unit| unit.mismatches > 0);
     Ok(report)
 }
@@ -67,7 +67,7 @@ fn pairs(words: &[String], args: &CheckArgs) -> anyhow::Result<Report> {
         text += &format!("first mismatch: {first}\n");
     }
     let difference = pairs.mismatches > 0;
-    let mut report = Report::new(&Document { units: [pairs] }, text);
+    let mut report = Report::new(&Document { units: [pairs] }, text, vec![]);
     report.difference = difference;
     Ok(report)
 }

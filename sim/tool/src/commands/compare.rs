@@ -3,6 +3,7 @@
 use crate::cli::{CompareArgs, Global};
 use crate::console::Report;
 use studies::compare::{self, Options};
+use studies::input::display_all;
 
 pub fn run(args: &CompareArgs, global: &Global) -> anyhow::Result<Report> {
     let options =
@@ -17,7 +18,7 @@ pub fn run(args: &CompareArgs, global: &Global) -> anyhow::Result<Report> {
         d.differing_pixels,
         u64::from(d.width) * u64::from(d.height)
     );
-    let mut report = Report::new(&d, text);
+    let mut report = Report::new(&d, text, display_all(args.out.as_deref()));
     report.difference = !d.equal;
     Ok(report)
 }

@@ -3,16 +3,17 @@
 use crate::cli::{EstimateArgs, Global};
 use crate::console::{Bars, Report};
 use studies::estimation::{self, Options};
+use studies::input::display_all;
 
 pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         liberty: args.liberty.clone(),
         synthesis: args.synth,
-        scenes: args.scene.iter().map(|scene| args.load.source(scene, global)).collect(),
+        scenes: args.load.sources(&args.scene, global)?,
         quality: args.quality.quality,
         out: args.out.clone(),
         force: global.force,
     };
-    let (estimates, text) = estimation::run(&options, &Bars::default())?;
-    Ok(Report::new(&estimates, text))
+    let (estimates, text, files) = estimation::run(&options, &Bars::default())?;
+    Ok(Report::new(&estimates, text, display_all(&files)))
 }

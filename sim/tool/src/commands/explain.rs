@@ -8,7 +8,7 @@ use studies::walk::Step;
 
 pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global),
+        scene: args.scene.source(global)?,
         view: args.view.view(),
         size: args.view.size,
         pixel: args.pixel,
@@ -17,7 +17,7 @@ pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
         structures: args.structure.clone(),
     };
     let explanation = explain::run(&options, &Bars::default())?;
-    Ok(Report::new(&explanation, text(&explanation)))
+    Ok(Report::new(&explanation, text(&explanation), vec![]))
 }
 
 fn text(d: &Explanation) -> String {

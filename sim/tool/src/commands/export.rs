@@ -3,12 +3,12 @@
 use crate::cli::{ExportArgs, Global};
 use crate::console::{Bars, Report};
 use serde::Serialize;
-use std::path::PathBuf;
 use studies::export::{self, Options};
+use studies::input::display_all;
 
 #[derive(Serialize)]
 struct Document {
-    files: Vec<PathBuf>,
+    format: &'static str,
 }
 
 pub fn run(args: &ExportArgs, global: &Global) -> anyhow::Result<Report> {
@@ -21,7 +21,6 @@ pub fn run(args: &ExportArgs, global: &Global) -> anyhow::Result<Report> {
         seed: global.seed,
         force: global.force,
     };
-    let document = Document { files: export::run(&options, &Bars::default())? };
-    let text = document.files.iter().map(|file| format!("{}\n", file.display())).collect();
-    Ok(Report::new(&document, text))
+    let files = display_all(&export::run(&options, &Bars::default())?);
+    Ok(Report::new(&Document { format: args.format.name() }, files.join("\n"), files))
 }

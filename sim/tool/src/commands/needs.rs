@@ -7,7 +7,7 @@ use studies::needs::study::{self, Needs, Options};
 
 pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global),
+        scene: args.scene.source(global)?,
         test: args.test,
         variant: args.variant,
         max_image_error: args.max_image_error,
@@ -19,7 +19,7 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     let needs = study::run(&options, &Bars::default())?;
-    Ok(Report::new(&needs, text(&needs)))
+    Ok(Report::new(&needs, text(&needs), needs.artifacts.clone()))
 }
 
 fn text(d: &Needs) -> String {

@@ -6,7 +6,7 @@ use studies::prove::{self, Proofs};
 
 pub fn run(args: &CheckArgs) -> anyhow::Result<Report> {
     let proofs = prove::run(args.unit, &Bars::default())?;
-    let mut report = Report::new(&proofs, text(&proofs));
+    let mut report = Report::new(&proofs, text(&proofs), vec![]);
     report.difference = proofs.proofs.iter().any(|row| row.verdict != "equal");
     Ok(report)
 }

@@ -3,11 +3,12 @@
 use super::classes::class_table;
 use crate::cli::{Global, RenderArgs};
 use crate::console::{Bars, Report};
+use studies::input::display_all;
 use studies::picture::{self, Options, Picture};
 
 pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global),
+        scene: args.scene.source(global)?,
         structure: args.structure.source(),
         test: args.test,
         mode: args.mode.mode,
@@ -23,7 +24,7 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     let picture = picture::run(&options, &Bars::default())?;
-    Ok(Report::new(&picture, text(&picture)))
+    Ok(Report::new(&picture, text(&picture), display_all([&options.out].into_iter().chain(&options.rays))))
 }
 
 fn text(d: &Picture) -> String {

@@ -1,16 +1,16 @@
 //! `dualsplit reproduce`: the main job, which writes all results to one folder.
 
 use crate::cli::{Cli, Global, ReproduceArgs};
-use crate::console::{Bars, Report, fixed, table};
+use crate::console::{self, Bars, Report, fixed, table};
 use anyhow::bail;
 use clap::Parser;
 use serde::Serialize;
+use std::ffi::OsString;
 use studies::reproduce::results::Document;
 use studies::reproduce::{self, Finding, Options};
 
 #[derive(Serialize)]
-struct Files {
-    artifacts: Vec<String>,
+struct Facts {
     mode: &'static str,
     seconds: f64,
 }
@@ -29,11 +29,16 @@ pub fn run(
         force: global.force,
     };
     let of_parts = Global { json: true, force: false, ..*global };
-    let command = |words: &[String]| {
+    let command = |words: &[OsString]| {
         let cli = Cli::try_parse_from(words)?;
         let Some(command) = &cli.command else { bail!("no command") };
         let report = dispatch(command, &of_parts)?;
-        Ok(Finding { report: serde_json::from_str(&report.render(true))?, difference: report.difference })
+        Ok(Finding {
+            report: serde_json::from_str(
+                &report.render(true, &console::command(words[1..].iter().cloned())),
+            )?,
+            difference: report.difference,
+        })
     };
     let done = reproduce::run(&options, &command, &Bars::default())?;
     let mut text = text(&done.document);
@@ -42,8 +47,8 @@ pub fn run(
     }
     let (files, seconds) = (done.artifacts.len(), done.seconds);
     text += &format!("\n{files} files in {}, {seconds:.1} s\n", args.out.display());
-    let files = Files { artifacts: done.artifacts, mode: done.document.mode, seconds };
-    let mut report = Report::new(&files, text);
+    let facts = Facts { mode: done.document.mode, seconds };
+    let mut report = Report::new(&facts, text, done.artifacts);
     report.difference = !done.differences.is_empty();
     Ok(report)
 }

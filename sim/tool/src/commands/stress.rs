@@ -16,7 +16,7 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     let stress = study::run(&options, &Bars::default())?;
-    let mut report = Report::new(&stress, text(&stress));
+    let mut report = Report::new(&stress, text(&stress), stress.artifacts.clone());
     report.difference = stress.broken;
     Ok(report)
 }

@@ -3,6 +3,7 @@
 use crate::cli::{Global, StudyArgs};
 use crate::console::{Bars, Report, fixed, table};
 use studies::study::row::Row;
+use studies::study::sensitivity::{self, Sensitivity};
 use studies::study::{self, Options, Study};
 
 pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
@@ -12,13 +13,47 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
         quality: args.quality.quality,
         machine: args.machine.machine.clone(),
         settings: args.machine.settings.clone(),
-        pipeline_cost: args.machine.pipeline_cost.method(),
+        pipeline_cost: args.cost.pipeline_cost.method(),
         out: args.out.clone(),
         seed: global.seed,
         force: global.force,
     };
+    if args.sensitivity {
+        let found = sensitivity::run(&options, args.machines as usize, &Bars::default())?;
+        let text = regions(&found);
+        let artifacts = found.artifacts.clone();
+        return Ok(Report::new(&found, text, artifacts));
+    }
     let study = study::run(&options, &Bars::default())?;
-    Ok(Report::new(&study, tables(&study)))
+    Ok(Report::new(&study, tables(&study), study.artifacts.clone()))
+}
+
+/// The claims with the machines for which they hold.
+fn regions(found: &Sensitivity) -> String {
+    let percent = |share: f64| fixed(100.0 * share, 0);
+    let rows = found.claims.iter().map(|claim| {
+        let keys = claim.region.keys.iter().take(2).map(|key| {
+            let scores = key.scores.iter().map(|(value, score)| format!("{value}: {}", fixed(*score, 2)));
+            format!("{} ({})", key.key, scores.collect::<Vec<_>>().join(", "))
+        });
+        [
+            claim.claim.clone(),
+            claim.published.clone(),
+            format!("{} ({})", claim.unchanged, claim.unchanged_holds),
+            percent(claim.region.holds),
+            percent(claim.region.partly),
+            claim.region.verdict.clone(),
+            keys.collect::<Vec<_>>().join("; "),
+        ]
+    });
+    let header =
+        ["claim", "published", "unchanged machine", "holds %", "partly %", "verdict", "mean score by key"];
+    let mut text = table(header, rows);
+    text += &format!(
+        "\n{} machines; a score is 1 where the claim holds, 0.5 where it holds in some scenes, and 0 where it does not.\n",
+        found.machines
+    );
+    text
 }
 
 /// All results of a study as tables.
@@ -34,6 +69,8 @@ fn tables(study: &Study) -> String {
         "DRAM mJ",
         "cache mJ",
         "compute mJ",
+        "on-chip mJ",
+        "execution mJ",
         "issue %",
         "data %",
     ];
@@ -49,6 +86,8 @@ fn tables(study: &Study) -> String {
             fixed(row.dram_mj, 3),
             fixed(row.cache_mj, 3),
             fixed(row.compute_mj, 3),
+            fixed(row.on_chip_mj, 3),
+            fixed(row.execution_mj, 3),
             fixed(row.issue_pct, 1),
             fixed(row.data_pct, 1),
         ]

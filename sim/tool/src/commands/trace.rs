@@ -3,11 +3,12 @@
 use super::classes::class_table;
 use crate::cli::{Global, TraceArgs};
 use crate::console::{Bars, Report};
+use studies::input::display_all;
 use studies::trace::{self, Options, Traced};
 
 pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global),
+        scene: args.scene.source(global)?,
         structure: args.structure.source(),
         rays: args.rays.clone(),
         mode: args.mode.mode,
@@ -15,7 +16,7 @@ pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     let traced = trace::run(&options, &Bars::default())?;
-    Ok(Report::new(&traced, text(&traced)))
+    Ok(Report::new(&traced, text(&traced), display_all(options.out.as_deref())))
 }
 
 fn text(d: &Traced) -> String {

@@ -3,17 +3,19 @@
 use crate::cli::{Global, TreeArgs};
 use crate::console::{Bars, Report, fixed, table};
 use std::fmt::Write;
-use studies::trees::{self, Options, StructureRow, TreeKind, Trees};
+use studies::input::display_all;
+use studies::trees::{self, Options, StructureRow, Trees};
 
 pub fn run(args: &TreeArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global),
+        scene: args.scene.source(global)?,
         quality: args.quality.quality,
+        scratch: args.scratch,
         save: args.save.clone().map(|file| (args.structure, file)),
         force: global.force,
     };
     let trees = trees::run(&options, &Bars::default())?;
-    Ok(Report::new(&trees, text(&trees)))
+    Ok(Report::new(&trees, text(&trees), display_all(args.save.as_deref())))
 }
 
 fn text(trees: &Trees) -> String {
@@ -81,24 +83,14 @@ fn text(trees: &Trees) -> String {
     text
 }
 
-/// Columns of a histogram: one for its label, and one for each structure.
-const COLUMNS: usize = TreeKind::ALL.len() + 1;
-
 /// The histograms of all structures side by side. Rows of zeros at either end are left out.
 fn histogram(structures: &[StructureRow], label: &str, of: impl Fn(&StructureRow) -> &Vec<u64>) -> String {
     let count = |s, at: usize| of(s).get(at).copied().unwrap_or(0);
     let length = structures.iter().map(|s| of(s).len()).max().unwrap_or(0);
     let first = (0..length).find(|&at| structures.iter().any(|s| count(s, at) > 0)).unwrap_or(0);
-    let mut header = [""; COLUMNS];
-    header[0] = label;
-    for (cell, s) in header[1..].iter_mut().zip(structures) {
-        *cell = &s.name;
-    }
-    let rows = (first..length).map(|at| {
-        std::array::from_fn(|column| match column {
-            0 => at.to_string(),
-            _ => count(&structures[column - 1], at).to_string(),
-        })
-    });
-    table::<{ COLUMNS }>(header, rows)
+    let header: Vec<&str> = [label].into_iter().chain(structures.iter().map(|s| &*s.name)).collect();
+    let row = |at: usize| {
+        [at.to_string()].into_iter().chain(structures.iter().map(move |s| count(s, at).to_string())).collect()
+    };
+    table(header, (first..length).map(row).collect::<Vec<Vec<String>>>())
 }

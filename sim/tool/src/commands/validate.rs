@@ -5,11 +5,11 @@ use machine::reference::Compared;
 use std::path::Path;
 use studies::simulate;
 
-pub fn run(folder: &Path) -> anyhow::Result<Report> {
-    let validation = simulate::validate(folder, &Bars::default())?;
+pub fn run(folder: &Path, rows: &[String]) -> anyhow::Result<Report> {
+    let validation = simulate::validate(folder, rows, &Bars::default())?;
     let header = [
         "set",
-        "variant",
+        "settings",
         "TMs",
         "cycles",
         "reference",
@@ -26,7 +26,7 @@ pub fn run(folder: &Path) -> anyhow::Result<Report> {
         let pair = |c: Compared| format!("{:.2} ({:.2})", c.ours, c.reference);
         [
             run.set.clone(),
-            run.variant.clone(),
+            run.settings.join(" "),
             run.tms.to_string(),
             run.cycles.to_string(),
             run.reference_cycles.to_string(),
@@ -40,9 +40,13 @@ pub fn run(folder: &Path) -> anyhow::Result<Report> {
             if run.within { "yes" } else { "NO" }.to_owned(),
         ]
     });
-    let text = table(header, rows);
+    let mut text = table(header, rows);
+    for absent in &validation.absent {
+        let row = format!("{}/{}/{}", absent.set, absent.variant, absent.tms);
+        text += &format!("absent: {row}: {}\n", absent.reason);
+    }
     let difference = validation.runs.iter().any(|run| !run.within);
-    let mut report = Report::new(&validation, text);
+    let mut report = Report::new(&validation, text, vec![]);
     report.difference = difference;
     Ok(report)
 }

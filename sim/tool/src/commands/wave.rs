@@ -7,7 +7,7 @@ use studies::wave::{self, Options};
 pub fn run(args: &WaveArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         unit: args.unit,
-        scene: args.load.source(&args.scene, global),
+        scene: args.load.source(&args.scene, global)?,
         rays: args.rays,
         mode: args.mode.mode,
         quality: args.quality.quality,
@@ -17,10 +17,7 @@ pub fn run(args: &WaveArgs, global: &Global) -> anyhow::Result<Report> {
     let wave = wave::run(&options, &Bars::default())?;
     let text = format!(
         "{}: {} operations of {} rays in {} cycles",
-        wave.path.display(),
-        wave.operations,
-        wave.rays,
-        wave.cycles
+        wave.path, wave.operations, wave.rays, wave.cycles
     );
-    Ok(Report::new(&wave, text))
+    Ok(Report::new(&wave, text, vec![wave.path.clone()]))
 }

@@ -9,9 +9,10 @@
 //! | `counters.node_visits`, `.plane_tests`, `.box_tests`, `.triangle_tests`, `.stack_depth` | uint | work of all rays of the pixel |
 
 use super::Picture;
+use exr::meta::MetaData;
 use exr::prelude::*;
 use render::{Pixel, Rendering};
-use std::io::Cursor;
+use std::io::{BufRead, Cursor, Seek};
 
 /// The bytes of an EXR file with all channels of `rendering`.
 ///
@@ -74,7 +75,13 @@ fn write(layer: Layer<AnyChannels<FlatSamples>>) -> Vec<u8> {
 }
 
 /// The colours of an EXR file.
-pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Picture<f32>, String> {
+pub(super) fn decode(mut source: impl BufRead + Seek) -> std::result::Result<Picture<f32>, String> {
+    // The sizes come first: the reader makes room for a picture before it looks at its pixels.
+    let headers = MetaData::read_from_buffered(&mut source, false).map_err(|e| e.to_string())?.headers;
+    for size in headers.iter().map(|header| header.layer_size) {
+        super::check_size(size.width() as u64, size.height() as u64)?;
+    }
+    source.rewind().map_err(|e| e.to_string())?;
     let image = read()
         .no_deep_data()
         .largest_resolution_level()
@@ -91,7 +98,7 @@ pub(super) fn decode(bytes: &[u8]) -> std::result::Result<Picture<f32>, String> 
         .first_valid_layer()
         .all_attributes()
         .non_parallel()
-        .from_buffered(Cursor::new(bytes))
+        .from_buffered(source)
         .map_err(|e| e.to_string())?;
     Ok(image.layer_data.channel_data.pixels)
 }
@@ -127,11 +134,11 @@ mod tests {
     #[test]
     fn colours_come_back_bit_for_bit() {
         let rendering = rendering();
-        let decoded = decode(&encode(&rendering)).unwrap();
+        let decoded = decode(Cursor::new(encode(&rendering))).unwrap();
         let rgb: Vec<_> = rendering.pixels.iter().map(|p| p.rgb).collect();
         assert_eq!(decoded, Picture { width: 3, height: 2, pixels: rgb });
-        assert_eq!(decode(&encode_colours(&decoded)).unwrap(), decoded);
-        assert!(decode(b"not an EXR").is_err());
+        assert_eq!(decode(Cursor::new(encode_colours(&decoded))).unwrap(), decoded);
+        assert!(decode(Cursor::new(b"not an EXR")).is_err());
     }
 
     #[test]
@@ -158,5 +165,14 @@ mod tests {
         assert_eq!(values("depth.Z"), FlatSamples::F32(depths));
         let planes = rendering.pixels.iter().map(|p| p.work.plane_tests).collect();
         assert_eq!(values("counters.plane_tests"), FlatSamples::U32(planes));
+    }
+
+    /// The data window is the only size in the file: its right lower corner is moved far out.
+    #[test]
+    fn a_picture_that_would_fill_memory_is_refused() {
+        let mut file = encode(&rendering());
+        let at = file.windows(17).position(|bytes| bytes == b"dataWindow\0box2i\0").unwrap() + 17 + 4 + 8;
+        file[at..at + 8].copy_from_slice(&[19_999i32.to_le_bytes(); 2].concat());
+        assert!(decode(Cursor::new(&file)).unwrap_err().starts_with("20000 x 20000 pixels"));
     }
 }

@@ -6,7 +6,9 @@ pub mod font;
 pub mod heatmap;
 pub mod png;
 
-use render::Rendering;
+use render::{MAX_PIXELS, Rendering};
+use std::fs::File;
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 /// The formats that pictures are read from and written to.
@@ -90,12 +92,26 @@ impl<T: Copy> Picture<T> {
 pub fn read(path: &Path) -> Result<(Format, Picture<f32>), PictureError> {
     let format = Format::of(path)?;
     let error = |kind| PictureError { path: path.to_owned(), kind };
-    let bytes = std::fs::read(path).map_err(|e| error(PictureErrorKind::Read(e)))?;
+    let source = BufReader::new(File::open(path).map_err(|e| error(PictureErrorKind::Read(e)))?);
     let picture = match format {
-        Format::Png => png::decode(&bytes),
-        Format::Exr => exr::decode(&bytes),
+        Format::Png => png::decode(source),
+        Format::Exr => exr::decode(source),
     };
     Ok((format, picture.map_err(|reason| error(PictureErrorKind::Damaged(reason)))?))
+}
+
+/// Whether a picture of this size is read.
+///
+/// # Errors
+/// It has too many pixels.
+fn check_size(width: impl Into<u64>, height: impl Into<u64>) -> Result<(), String> {
+    let (width, height) = (width.into(), height.into());
+    if width.saturating_mul(height) > MAX_PIXELS.into() {
+        return Err(format!(
+            "{width} x {height} pixels; pictures of at most {MAX_PIXELS} pixels are compared"
+        ));
+    }
+    Ok(())
 }
 
 /// The largest finite radiance of any channel of `rendering`.

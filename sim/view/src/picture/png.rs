@@ -2,8 +2,8 @@
 
 use super::Picture;
 use png::{BitDepth, ColorType, Compression, Decoder, Encoder, Filter, Transformations};
-use render::{MAX_PIXELS, Rendering};
-use std::io::Cursor;
+use render::Rendering;
+use std::io::{BufRead, Seek};
 
 /// The picture as a display shows it, brightened by `exposure_stops` factors of two. Values beyond white become white.
 #[must_use]
@@ -42,30 +42,25 @@ pub fn encode(picture: &Picture<u8>) -> Vec<u8> {
 }
 
 /// The colours of a PNG file of any depth as fractions of white, without its transparency.
-pub(super) fn decode(bytes: &[u8]) -> Result<Picture<f32>, String> {
-    let mut decoder = Decoder::new(Cursor::new(bytes));
+pub(super) fn decode(source: impl BufRead + Seek) -> Result<Picture<f32>, String> {
+    let mut decoder = Decoder::new(source);
     decoder.set_transformations(Transformations::EXPAND);
     let (width, height) = decoder.read_header_info().map_err(|error| error.to_string())?.size();
-    let pixels = u64::from(width) * u64::from(height);
-    if pixels > MAX_PIXELS.into() {
-        return Err(format!(
-            "{width} x {height} pixels; pictures of at most {MAX_PIXELS} pixels are compared"
-        ));
-    }
+    super::check_size(width, height)?;
     let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
     let (color, depth) = reader.output_color_type();
     let size = reader.output_buffer_size().ok_or("the picture does not fit into memory")?;
     let mut samples = vec![0; size];
     reader.next_frame(&mut samples).map_err(|error| error.to_string())?;
-    let fractions: Vec<f32> = match depth {
-        BitDepth::Sixteen => {
-            samples.as_chunks().0.iter().map(|word| f32::from(u16::from_be_bytes(*word)) / 65535.0).collect()
-        }
-        _ => samples.iter().map(|sample| f32::from(*sample) / 255.0).collect(),
+    let bytes = if depth == BitDepth::Sixteen { 2 } else { 1 };
+    let fraction = |pixel: &[u8], channel: usize| match pixel[channel * bytes..][..bytes] {
+        [high, low] => f32::from(u16::from_be_bytes([high, low])) / 65535.0,
+        [sample] => f32::from(sample) / 255.0,
+        _ => unreachable!("one or two bytes"),
     };
-    let pixels = fractions.chunks_exact(color.samples()).map(|pixel| match color {
-        ColorType::Grayscale | ColorType::GrayscaleAlpha => [pixel[0]; 3],
-        _ => [pixel[0], pixel[1], pixel[2]],
+    let pixels = samples.chunks_exact(color.samples() * bytes).map(|pixel| match color {
+        ColorType::Grayscale | ColorType::GrayscaleAlpha => [fraction(pixel, 0); 3],
+        _ => [0, 1, 2].map(|channel| fraction(pixel, channel)),
     });
     Ok(Picture { width, height, pixels: pixels.collect() })
 }
@@ -73,6 +68,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Picture<f32>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::io::Cursor;
 
     #[test]
     fn srgb_codes() {
@@ -90,11 +86,11 @@ mod tests {
     fn pixels_come_back() {
         let pixels = (0..12u8).map(|i| [i, 255 - i, 20 * i]).collect();
         let picture = Picture { width: 4, height: 3, pixels };
-        let decoded = decode(&encode(&picture)).unwrap();
+        let decoded = decode(Cursor::new(encode(&picture))).unwrap();
         assert_eq!((decoded.width, decoded.height), (4, 3));
         let codes: Vec<_> = decoded.pixels.iter().map(|p| p.map(|x| (x * 255.0 + 0.5) as u8)).collect();
         assert_eq!(codes, picture.pixels);
-        assert!(decode(b"not a PNG").is_err());
+        assert!(decode(Cursor::new(b"not a PNG")).is_err());
     }
 
     /// Reads grey and colour, with and without alpha, of 8 and 16 bits.
@@ -114,7 +110,7 @@ mod tests {
                     ColorType::Grayscale | ColorType::GrayscaleAlpha => [at(i); 3],
                     _ => [at(i), at(i + 1), at(i + 2)],
                 };
-                let picture = decode(&file).unwrap();
+                let picture = decode(Cursor::new(&file)).unwrap();
                 assert_eq!(picture.pixels, [expected(0), expected(color.samples())], "{color:?} {depth:?}");
             }
         }
@@ -124,6 +120,6 @@ mod tests {
     fn a_picture_that_would_fill_memory_is_refused() {
         let mut file = vec![];
         Encoder::new(&mut file, 20_000, 20_000).write_header().unwrap();
-        assert!(decode(&file).unwrap_err().starts_with("20000 x 20000 pixels"));
+        assert!(decode(Cursor::new(&file)).unwrap_err().starts_with("20000 x 20000 pixels"));
     }
 }

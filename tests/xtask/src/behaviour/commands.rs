@@ -71,7 +71,7 @@ fn trees() -> Vec<Command> {
         Command::new("scenes-export-xz", "scenes hairball --detail 0.001 --seed 3 --export hairball.obj.xz"),
         Command::new("scenes-export-ply", "scenes hairball --detail 0.001 --seed 3 --export hairball.ply"),
         Command::new("scenes-export-stl", "scenes hairball --detail 0.001 --seed 3 --export hairball.stl.gz"),
-        Command::new("tree-fast", "tree courtyard --detail 0.01 --quality fast"),
+        Command::new("tree-fast", "tree courtyard --detail 0.01 --quality fast --scratch"),
         Command::new("tree-medium", format!("tree {OTHER} --save atrium.tree")),
         Command::new("tree-high", "tree statue.obj --save scratch.tree --structure dst_scratch")
             .after(&["scenes-export"]),
@@ -183,6 +183,7 @@ fn machine() -> Vec<Command> {
     }
     let simulate = |name: &str, rest: &str| Command::new(name, format!("simulate {OTHER} {MACHINE} {rest}"));
     commands.extend([
+        simulate("simulate-queueing", "--size 32x32 --fidelity queueing --set network.latency_cycles=4"),
         simulate("simulate-analytic", "--size 32x32 --fidelity analytic --csv analytic.csv"),
         simulate("simulate-rtl", "--size 16x16 --fidelity rtl --mode fast --csv rtl.csv"),
         simulate("simulate-auto", "--size 64x64 --fidelity auto --tolerance 10% --csv auto.csv"),

@@ -2,10 +2,11 @@
 //!
 //! Everything else keeps its bytes: the order of keys, the digits of numbers and the layout count.
 
-/// The keys of JSON documents and the columns of CSV files that hold the host's times, or its threads.
-pub const HOST_NAMES: [&str; 7] = [
+/// The keys of JSON documents and the columns of CSV files that hold the host's times, its threads, or the program's sources.
+pub const HOST_NAMES: [&str; 8] = [
     "build_ms",
     "convert_ms",
+    "fingerprint",
     "rays_per_second",
     "seconds",
     "simulated_rays_per_second",
@@ -29,7 +30,7 @@ pub fn filtered(name: &str, bytes: Vec<u8>) -> Vec<u8> {
     }
 }
 
-/// `text` with a blank for each number whose key is a host's name.
+/// `text` with a blank for each number or word whose key is a host's name.
 pub fn json(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
@@ -43,8 +44,9 @@ pub fn json(text: &str) -> String {
         if let Some(value) = value
             && HOST_NAMES.contains(&key)
         {
-            let number =
-                value.find(|c: char| !c.is_ascii_alphanumeric() && !"+-.".contains(c)).unwrap_or(value.len());
+            let number = value
+                .find(|c: char| !c.is_ascii_alphanumeric() && !"+-.\"".contains(c))
+                .unwrap_or(value.len());
             if number > 0 {
                 out.push_str(&rest[..rest.len() - value.len()]);
                 out.push_str(BLANK);
@@ -118,6 +120,7 @@ mod tests {
         assert_eq!(json(text), without);
         let others = r#"{"seconds of": 1, "x": "seconds", "y": "a \"seconds\": 3", "seconds": {"z": 1}}"#;
         assert_eq!(json(others), others);
+        assert_eq!(json(r#"{"fingerprint": "0a1b", "b": "c"}"#), r#"{"fingerprint": _, "b": "c"}"#);
         assert_eq!(json(r#"["\\", {"threads": 4}]"#), r#"["\\", {"threads": _}]"#);
     }
 

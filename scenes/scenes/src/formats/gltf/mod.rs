@@ -17,9 +17,10 @@ use gltf::{Document, Primitive, Semantic};
 
 use super::error::{FormatError, FormatErrorKind, Place, check_range};
 use super::report::{FileReport, Skip};
-use super::source::{FREE_BYTES, RATIO, whole};
+use super::whole;
 use super::{FileMesh, Format, Input};
 use crate::mesh::{MAX_TRIANGLES, Mesh};
+use base::input::{FREE_BYTES, RATIO};
 use buffers::Buffers;
 
 const MAGIC: &[u8] = b"glTF";

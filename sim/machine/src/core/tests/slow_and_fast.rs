@@ -80,12 +80,17 @@ impl Choices {
             format!("l1.size={}", self.one_of(&[512, 1024, 4096])),
             format!("l1.associativity={ways}"),
             format!("l1.banks={}", self.one_of(&[1, 2, 8])),
+            format!("l1.ports={}", self.one_of(&[1, 1, 2, 4])),
             format!("l1.bank_by={}", self.one_of(&["word", "word", "line"])),
             format!("l1.latency_cycles={}", self.one_of(&[1, 1, 3])),
+            format!("l1.miss_registers={}", self.one_of(&[0, 0, 1, 3])),
+            format!("network.latency_cycles={}", self.one_of(&[0, 0, 1, 9])),
+            format!("l2.miss_registers={}", self.one_of(&[0, 0, 1, 4])),
             format!("l2.enabled={}", self.one_of(&[true, true, true, false])),
             format!("l2.size={}", self.one_of(&[1024, 4096, 65536])),
             format!("l2.associativity={}", self.one_of(&[1, 2, 8])),
             format!("l2.banks={}", self.one_of(&[1, 4, 16])),
+            format!("l2.ports={}", self.one_of(&[1, 1, 2])),
             format!("l2.bank_by={}", self.one_of(&["word", "word", "line"])),
             format!("l2.latency_cycles={}", self.one_of(&[1, 3, 7])),
             format!("dram.channels={}", self.one_of(&[1, 4])),
@@ -109,7 +114,7 @@ impl Choices {
 
 #[test]
 fn the_core_counts_what_the_slow_model_counts() {
-    let mut sums = [0; 8];
+    let mut sums = [0; 10];
     for seed in 0..150 {
         let mut choices = Choices(split_mix::hash(seed));
         let settings = choices.settings();
@@ -137,6 +142,8 @@ fn the_core_counts_what_the_slow_model_counts() {
             fast.l2.bank_conflicts,
             fast.dram.refused,
             fast.l1.stores,
+            fast.l1.register_conflicts,
+            fast.l2.register_conflicts,
         ];
         sums.iter_mut().zip(seen).for_each(|(sum, seen)| *sum += seen);
     }

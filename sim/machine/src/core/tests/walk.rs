@@ -59,9 +59,16 @@ impl<D: Fn(u32, u64) -> (bool, u32) + Sync> Work for Walk<'_, D> {
     }
 
     fn entries(&self) -> Option<(EntryId, EntryId)> {
-        // These programs use the counter twice.
-        let behind = |at: usize| self.program.graph.entries.get(at).map(|_| at as EntryId);
-        behind(1).zip(behind(2))
+        // These programs use the counter twice, first at their beginning.
+        let edges =
+            self.program.graph.nodes.iter().flat_map(|node| {
+                [Some(node.next), node.branch.map(|branch| branch.taken)].into_iter().flatten()
+            });
+        let behind = edges.filter_map(|edge| match edge {
+            Edge::Counter(_, entry) => Some(entry),
+            _ => None,
+        });
+        behind.clone().min().zip(behind.max())
     }
 
     fn start(&self, tape: &mut Tape<'_>) -> Result<(), Box<Fault>> {

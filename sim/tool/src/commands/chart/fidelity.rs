@@ -7,7 +7,7 @@ use studies::fidelity::Level;
 
 pub fn run(args: &FidelityArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global),
+        scene: args.scene.source(global)?,
         structure: args.structure,
         test: args.test,
         quality: args.quality.quality,
@@ -20,7 +20,7 @@ pub fn run(args: &FidelityArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     let chart = fidelity_study::run(&options, &Bars::default())?;
-    Ok(Report::new(&chart, text(&chart)))
+    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()))
 }
 
 fn text(d: &FidelityChart) -> String {
@@ -59,12 +59,12 @@ fn text(d: &FidelityChart) -> String {
                 fixed(p.frame_ms, 4),
                 fixed(p.time_error_pct, 2),
                 fixed(p.plain_time_error_pct, 2),
-                fixed(p.time_spread_pct, 2),
+                p.time_spread_pct.map(|x| fixed(x, 2)).unwrap_or_default(),
                 fixed(p.time_interval_pct, 2),
                 fixed(p.energy_mj, 4),
                 fixed(p.energy_error_pct, 2),
                 fixed(p.plain_energy_error_pct, 2),
-                fixed(p.energy_spread_pct, 2),
+                p.energy_spread_pct.map(|x| fixed(x, 2)).unwrap_or_default(),
                 fixed(p.energy_interval_pct, 2),
             ]
         }),

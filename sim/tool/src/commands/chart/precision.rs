@@ -1,13 +1,21 @@
 //! `dualsplit chart precision`: visits, errors, area, energy and time in every format.
 
-use crate::cli::{Global, PrecisionArgs};
+use crate::cli::{DEFAULT_MACHINE, Global, PrecisionArgs};
 use crate::console::{Bars, Report, fixed, table};
+use anyhow::ensure;
+use std::path::Path;
 use studies::charts::precision_study::{self, Options, PrecisionChart};
 
 pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
+    let machine_given =
+        args.machine.machine != Path::new(DEFAULT_MACHINE) || !args.machine.settings.is_empty();
+    ensure!(
+        args.simulate || !machine_given,
+        "--machine and --set need the simulation, which --simulate false leaves out"
+    );
     let machine = || (args.machine.machine.clone(), args.machine.settings.clone());
     let options = Options {
-        scene: args.scene.source(global),
+        scene: args.scene.source(global)?,
         structure: args.structure,
         test: args.test,
         quality: args.quality.quality,
@@ -18,7 +26,7 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     let chart = precision_study::run(&options, &Bars::default())?;
-    Ok(Report::new(&chart, text(&chart)))
+    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()))
 }
 
 fn text(d: &PrecisionChart) -> String {

@@ -87,13 +87,16 @@ impl<W: Work> Slow<'_, W> {
         if let Some(ready) = self.l1_load(&request, 0) {
             return Outcome::Served(ready);
         }
+        let line = address / self.machine.l1.line_words();
+        if kind == Kind::Load && self.l1_is_full(number, now) {
+            return Outcome::Refused;
+        }
         let partition = self.tms[number].partition;
         let l2_bank = Resource::L2(partition, bank(&self.machine.l2, address));
-        if self.is_taken(l2_bank, now) {
+        if self.is_taken(l2_bank, now, self.machine.l2.ports) {
             self.counts.l2.bank_conflicts += 1;
             return Outcome::Refused;
         }
-        let line = address / self.machine.l1.line_words();
         self.dram.advance(now);
         if kind == Kind::Store {
             if !self.dram.write(now, line) {
@@ -106,16 +109,27 @@ impl<W: Work> Slow<'_, W> {
             return Outcome::Served(now + 1);
         }
         self.events += 1;
-        let latency = self.machine.l2.latency_cycles + self.l1_latency();
+        let latency =
+            self.machine.l2.latency_cycles + self.l1_latency() + 2 * self.machine.network.latency_cycles;
         let arrival = if self.l2s[partition].hit(now, line, (self.turn, 0, self.events)) {
             self.counts.l2.hits += 1;
             now + latency
         } else {
+            if self.l2_is_full(partition, line, now) {
+                return Outcome::Refused;
+            }
             match self.dram.read(now, line, Requester { port: number as u16 }) {
                 Read::Refused => return Outcome::Full(line),
-                Read::Queued => UNKNOWN,
+                Read::Queued => {
+                    // A line that is known to arrive later keeps its time until it is announced again.
+                    let known = self.asked_by_l2[partition].entry(line).or_insert(UNKNOWN);
+                    if *known <= now {
+                        *known = UNKNOWN;
+                    }
+                    UNKNOWN
+                }
                 Read::Arrives(cycle) => {
-                    self.l2s[partition].arrivals.push((cycle, line));
+                    self.l2_arrives(partition, line, cycle);
                     cycle + latency
                 }
             }
@@ -131,5 +145,31 @@ impl<W: Work> Slow<'_, W> {
             self.tms[number].l1.arrivals.push((arrival, line));
         }
         Outcome::Served(arrival)
+    }
+
+    /// `line` arrives at a partition's cache in cycle `cycle`.
+    pub(super) fn l2_arrives(&mut self, partition: usize, line: u32, cycle: u32) {
+        self.l2s[partition].arrivals.push((cycle, line));
+        self.asked_by_l2[partition].insert(line, cycle);
+    }
+
+    /// Whether no line more may be on its way to a multiprocessor's cache, which it counts.
+    fn l1_is_full(&mut self, tm: usize, now: u32) -> bool {
+        let under_way = self.tms[tm].under_way.values().filter(|line| line.arrival > now).count();
+        let registers = self.machine.l1.miss_registers as usize;
+        let is_full = registers > 0 && under_way >= registers;
+        self.tms[tm].l1_counts.register_conflicts += u64::from(is_full);
+        is_full
+    }
+
+    /// Whether `line` may not be on its way to a partition's cache as well, which it counts.
+    fn l2_is_full(&mut self, partition: usize, line: u32, now: u32) -> bool {
+        let under_way = self.asked_by_l2[partition].iter().filter(|(_, arrival)| **arrival > now);
+        let registers = self.machine.l2.miss_registers as usize;
+        let is_full = registers > 0
+            && under_way.clone().count() >= registers
+            && !under_way.clone().any(|(asked, _)| *asked == line);
+        self.counts.l2.register_conflicts += u64::from(is_full);
+        is_full
     }
 }

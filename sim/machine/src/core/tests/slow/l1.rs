@@ -34,7 +34,8 @@ impl<W: Work> Slow<'_, W> {
     /// Whether the L1's bank is taken, which it counts.
     pub(super) fn l1_refuses(&mut self, request: &Request) -> bool {
         let bank = bank(&self.machine.l1, request.address);
-        let refuses = self.machine.l1.enabled && self.is_taken(Resource::L1(request.tm, bank), request.cycle);
+        let (l1, cycle) = (&self.machine.l1, request.cycle);
+        let refuses = l1.enabled && self.is_taken(Resource::L1(request.tm, bank), cycle, l1.ports);
         self.tms[request.tm].l1_counts.bank_conflicts += u64::from(refuses);
         refuses
     }

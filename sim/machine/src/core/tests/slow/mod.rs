@@ -94,6 +94,8 @@ struct Slow<'a, W> {
     work: &'a W,
     tms: Vec<Tm>,
     l2s: Vec<Lines>,
+    /// By partition, lines that were asked of the memory, with their arrival.
+    asked_by_l2: Vec<HashMap<u32, u32>>,
     dram: Dram,
     taken: HashMap<(Resource, u32), u32>,
     next_item: u32,
@@ -124,6 +126,7 @@ pub fn simulate<W: Work>(machine: &MachineDescription, program: &Program, work: 
             })
             .collect(),
         l2s: (0..machine.chip.l2_partitions).map(|_| Lines::new(&machine.l2)).collect(),
+        asked_by_l2: vec![HashMap::new(); machine.chip.l2_partitions as usize],
         dram: Dram::new(&machine.dram),
         taken: HashMap::new(),
         next_item: 0,
@@ -166,8 +169,8 @@ impl<W: Work> Slow<'_, W> {
         *taken <= many
     }
 
-    fn is_taken(&self, resource: Resource, now: u32) -> bool {
-        self.taken.contains_key(&(resource, now))
+    fn is_taken(&self, resource: Resource, now: u32, many: u32) -> bool {
+        self.taken.get(&(resource, now)).is_some_and(|taken| *taken >= many)
     }
 
     /// One quantum from cycle `start` on; the cycle at which the next one begins.
@@ -180,8 +183,8 @@ impl<W: Work> Slow<'_, W> {
         self.dram.announce(start, |arrival| arrivals.push(arrival));
         for arrival in arrivals {
             let tm = usize::from(arrival.requester.port);
-            self.l2s[self.tms[tm].partition].arrivals.push((arrival.cycle, arrival.line));
-            self.arrives(tm, arrival.line, arrival.cycle);
+            self.l2_arrives(self.tms[tm].partition, arrival.line, arrival.cycle);
+            self.arrives(tm, arrival.line, arrival.cycle + 2 * self.machine.network.latency_cycles);
         }
         for l2 in &mut self.l2s {
             l2.fill(start, self.turn, &mut self.events);
@@ -282,7 +285,7 @@ impl<W: Work> Slow<'_, W> {
         let request = Request { cycle: now, tm, thread: number, kind: op.kind, address };
         if op.kind != Kind::Counter {
             let bank = lines::bank(&self.machine.l1, address);
-            if !self.is_taken(Resource::Asked(tm, bank), now) {
+            if !self.is_taken(Resource::Asked(tm, bank), now, 1) {
                 if self.l1_refuses(&request) {
                     self.counts.thread_cycles.memory += 1;
                     return self.tms[tm].threads[number].time += 1;

@@ -5,7 +5,9 @@
 
 use std::cell::Cell;
 use std::fmt;
+use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
+use std::path::Path;
 use std::rc::Rc;
 
 use flate2::bufread::MultiGzDecoder;
@@ -13,31 +15,39 @@ use liblzma::bufread::XzDecoder;
 use liblzma::stream::{CONCATENATED, Stream};
 
 /// Unpacked bytes that any compressed file may hold.
-pub(super) const FREE_BYTES: u64 = 64 << 20;
+pub const FREE_BYTES: u64 = 64 << 20;
 /// Further unpacked bytes for each compressed byte.
-pub(super) const RATIO: u64 = 400;
+pub const RATIO: u64 = 400;
 /// Most memory that an xz stream may ask for. The highest preset, `xz -9`, takes 65 MiB.
-pub(super) const MOST_XZ_MEMORY: u64 = 512 << 20;
+pub const MOST_XZ_MEMORY: u64 = 512 << 20;
 
-const XZ_MAGIC: &[u8] = b"\xfd7zXZ\0";
-const GZIP_MAGIC: &[u8] = b"\x1f\x8b";
+/// How an xz stream begins.
+pub const XZ_MAGIC: &[u8] = b"\xfd7zXZ\0";
+/// How a gzip stream begins.
+pub const GZIP_MAGIC: &[u8] = b"\x1f\x8b";
 const BUFFER_BYTES: usize = 1 << 16;
 
 /// A limit that a file exceeds.
-#[derive(Debug)]
-pub(super) enum Limit {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// It holds more than [`FREE_BYTES`] and [`RATIO`] allow.
     Expands,
+    /// Unpacking asks for more than [`MOST_XZ_MEMORY`].
     XzMemory,
+    /// A line is longer than its reader takes.
     Line,
+    /// There are more bytes than its reader takes.
+    Bytes(u64),
 }
 
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Expands => "too large when unpacked",
-            Self::XzMemory => "unpacking takes too much memory",
-            Self::Line => "a line is too long",
-        })
+        match self {
+            Self::Expands => f.write_str("too large when unpacked"),
+            Self::XzMemory => f.write_str("unpacking takes too much memory"),
+            Self::Line => f.write_str("a line is too long"),
+            Self::Bytes(most) => write!(f, "more than {most} bytes"),
+        }
     }
 }
 
@@ -47,10 +57,7 @@ impl std::error::Error for Limit {}
 ///
 /// # Errors
 /// Those of `source`.
-pub(super) fn start<'a>(
-    mut source: impl BufRead + 'a,
-    most: usize,
-) -> io::Result<(Vec<u8>, impl BufRead + 'a)> {
+pub fn start<'a>(mut source: impl BufRead + 'a, most: usize) -> io::Result<(Vec<u8>, impl BufRead + 'a)> {
     let mut start = Vec::with_capacity(most);
     (&mut source).take(most as u64).read_to_end(&mut start)?;
     let again = io::Cursor::new(start.clone()).chain(source);
@@ -61,7 +68,7 @@ pub(super) fn start<'a>(
 ///
 /// # Errors
 /// Those of `source`.
-pub(super) fn unpacked<'a>(source: impl BufRead + 'a) -> io::Result<Box<dyn BufRead + 'a>> {
+pub fn unpacked<'a>(source: impl BufRead + 'a) -> io::Result<Box<dyn BufRead + 'a>> {
     let (start, source) = start(source, XZ_MAGIC.len())?;
     let (xz, gzip) = (start.starts_with(XZ_MAGIC), start.starts_with(GZIP_MAGIC));
     if !xz && !gzip {
@@ -78,14 +85,34 @@ pub(super) fn unpacked<'a>(source: impl BufRead + 'a) -> io::Result<Box<dyn BufR
     Ok(Box::new(BufReader::with_capacity(BUFFER_BYTES, Limited { decoder, taken, given: 0 })))
 }
 
-/// Reads all of `source`.
+/// All bytes of `source`, if there are at most `most`. Memory grows with what is read, so that an endless source ends in an error.
 ///
 /// # Errors
-/// Those of `source`.
-pub(super) fn whole(source: &mut dyn BufRead) -> io::Result<Vec<u8>> {
+/// Those of `source`, and [`Limit::Bytes`].
+pub fn at_most(source: impl Read, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    source.read_to_end(&mut bytes)?;
+    source.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        return Err(io::Error::other(Limit::Bytes(most)));
+    }
     Ok(bytes)
+}
+
+/// All bytes of the file `path`, if there are at most `most`.
+///
+/// # Errors
+/// Those of the system, and [`Limit::Bytes`].
+pub fn read_file(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    at_most(File::open(path)?, most)
+}
+
+/// The text of the file `path`, if it has at most `most` bytes.
+///
+/// # Errors
+/// Those of [`read_file`], and `InvalidData` for what is not UTF-8.
+pub fn read_text(path: &Path, most: u64) -> io::Result<String> {
+    String::from_utf8(read_file(path, most)?)
+        .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()))
 }
 
 /// Counts the bytes that are taken from `source`.
@@ -134,5 +161,39 @@ impl Read for Limited<'_> {
             return Err(io::Error::other(Limit::Expands));
         }
         Ok(bytes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Write;
+
+    fn limit(error: &io::Error) -> Option<Limit> {
+        error.get_ref().and_then(|inner| inner.downcast_ref()).copied()
+    }
+
+    #[test]
+    fn an_endless_source_ends_in_an_error() {
+        assert_eq!(at_most(&b"abc"[..], 3).unwrap(), b"abc");
+        assert_eq!(limit(&at_most(io::repeat(0), 1000).unwrap_err()), Some(Limit::Bytes(1000)));
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        std::fs::write(&path, b"\xff").unwrap();
+        assert_eq!(read_text(&path, 1).unwrap_err().kind(), io::ErrorKind::InvalidData);
+        assert_eq!(limit(&read_text(&path, 0).unwrap_err()), Some(Limit::Bytes(0)));
+    }
+
+    #[test]
+    fn a_small_file_does_not_unpack_to_more_than_its_share() {
+        let mut encoder = flate2::write::GzEncoder::new(vec![], flate2::Compression::best());
+        let zeros = vec![0; 1 << 20];
+        for _ in 0..=(FREE_BYTES + RATIO * (1 << 18)) >> 20 {
+            encoder.write_all(&zeros).unwrap();
+        }
+        let packed = encoder.finish().unwrap();
+        assert!(packed.len() < 1 << 18);
+        let error = io::copy(&mut unpacked(&packed[..]).unwrap(), &mut io::sink()).unwrap_err();
+        assert_eq!(limit(&error), Some(Limit::Expands));
     }
 }

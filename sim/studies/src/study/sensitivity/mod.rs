@@ -1,0 +1,267 @@
+//! Which of the paper's claims depend on the machine.
+//!
+//! The study's main series is estimated at the queueing level on a sample of machines ([`machines`]), every claim is judged on each
+//! of them, and [`regions`] says for which it holds.
+
+pub mod machines;
+pub mod regions;
+
+use super::comparison::{Claim, compare};
+use super::jobs::{Job, Preset, Series, chip_settings};
+use super::record::{Planned, Record};
+use super::row::Row;
+use super::{Options, scenes_of};
+use crate::artifacts::Artifacts;
+use crate::fidelity::{Subject, queueing};
+use crate::input::{Built, display};
+use crate::progress::{Part, Progress};
+use anyhow::ensure;
+use machine::description::MachineDescription;
+use machine::frame::{FrameMachine, MachineStructure, node_bytes};
+use machine::program::Program;
+use machine::results::Tally;
+use machines::{CHIP, RANGES, Values};
+use rayon::prelude::*;
+use regions::{Region, region};
+use render::{RenderOptions, Test};
+use scenes::Scene;
+use serde::Serialize;
+use view::plot::Bars;
+
+/// All claims with the machines for which they hold.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct Sensitivity {
+    pub preset: String,
+    pub machine: String,
+    pub ranges: Vec<RangeRow>,
+    pub machines: usize,
+    pub claims: Vec<ClaimRegion>,
+    #[serde(skip)]
+    pub artifacts: Vec<String>,
+}
+
+/// A key of the machine and the values that it was given.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct RangeRow {
+    pub key: &'static str,
+    pub values: &'static [&'static str],
+}
+
+/// A claim, and where it holds.
+#[derive(Debug, Serialize)]
+#[allow(missing_docs, reason = "keys of result files")]
+pub struct ClaimRegion {
+    pub claim: String,
+    pub published: String,
+    /// The result on the machine that is varied, and whether the claim holds there.
+    pub unchanged: String,
+    pub unchanged_holds: &'static str,
+    #[serde(flatten)]
+    pub region: Region,
+}
+
+/// Estimates the study's main series on the machine that `args` name and on `count` variations of it, and judges all claims.
+///
+/// # Errors
+/// There is no such preset, scene or machine, a frame cannot be estimated, or a file cannot be written.
+pub fn run(args: &Options, count: usize, progress: &dyn Progress) -> anyhow::Result<Sensitivity> {
+    let preset = Preset { chip: CHIP, ..*Preset::find(&args.preset)? };
+    for setting in &args.settings {
+        let key = setting.split('=').next().unwrap_or_default().trim();
+        let is_varied = key.starts_with("chip.") || RANGES.iter().any(|range| range.key == key);
+        ensure!(!is_varied, "--set {setting}: --sensitivity gives this key values of its own; leave it out");
+    }
+    let sample = machines::sample(count, args.seed);
+    let settings = std::iter::once(vec![]).chain(sample.iter().map(machines::settings));
+    let descriptions = settings.map(|settings| {
+        let settings = [&args.settings[..], &chip_settings(CHIP), &settings].concat();
+        MachineDescription::load(&args.machine, &settings)
+    });
+    let descriptions: Vec<MachineDescription> = descriptions.collect::<Result<_, _>>()?;
+    let scenes = scenes_of(args)?;
+    let mut artifacts = Artifacts::create(&args.out.join("sensitivity"), args.force)?;
+    let frames = scenes.len() * MachineStructure::ALL.len() * Test::ALL.len();
+    let part = Part::begin(progress, frames as u64, "estimating on all machines");
+    let mut rows: Vec<Vec<Row>> = vec![vec![]; descriptions.len()];
+    for scene in scenes {
+        let scene = Scene::load(scene, preset.detail, args.seed)?;
+        let built = Built::new(&scene, args.quality, progress)?;
+        for structure in MachineStructure::ALL {
+            let of_structure =
+                estimates(args, &preset, &descriptions, &scene, &built, structure, || part.advance(1))?;
+            rows.iter_mut().zip(of_structure).for_each(|(rows, more)| rows.extend(more));
+        }
+    }
+    drop(part);
+    let claims: Vec<Vec<Claim>> = rows.par_iter().map(|rows| compare(rows, &[])).collect();
+    let [unchanged, varied @ ..] = &claims[..] else { unreachable!("the machine itself comes first") };
+    let claims: Vec<ClaimRegion> = unchanged.iter().map(|claim| judged(claim, &sample, varied)).collect();
+    artifacts.write("machines.csv", machines_csv(&sample, varied)?.as_bytes())?;
+    artifacts.write("holds.svg", chart(&claims).svg().as_bytes())?;
+    let mut document = Sensitivity {
+        preset: args.preset.clone(),
+        machine: descriptions[0].name.clone(),
+        ranges: RANGES.iter().map(|range| RangeRow { key: range.key, values: range.values }).collect(),
+        machines: count,
+        claims,
+        artifacts: vec![],
+    };
+    artifacts.write("sensitivity.json", serde_json::to_string_pretty(&document)?.as_bytes())?;
+    document.artifacts = artifacts.finish()?.iter().map(|path| display(path)).collect();
+    Ok(document)
+}
+
+/// For each machine, its lines of the study's tables for `structure` in `scene`.
+fn estimates(
+    args: &Options,
+    preset: &Preset,
+    descriptions: &[MachineDescription],
+    scene: &Scene,
+    built: &Built,
+    structure: MachineStructure,
+    done: impl Fn(),
+) -> anyhow::Result<Vec<Vec<Row>>> {
+    let (converted, _) = built.convert(structure.kind())?;
+    let pipeline = estimate::by_name(args.pipeline_cost);
+    let set_up = descriptions.par_iter().map(|machine| {
+        let machine = FrameMachine::new(machine, structure, &pipeline)?;
+        let program = machine.program()?;
+        Ok((machine, program))
+    });
+    let set_up: Vec<(FrameMachine, Program)> = set_up.collect::<anyhow::Result<_>>()?;
+    let mut rows = vec![vec![]; set_up.len()];
+    for test in Test::ALL {
+        let options =
+            RenderOptions { seed: args.seed, ..RenderOptions::new(test, preset.width, preset.height) };
+        let subject = Subject { machine: &set_up[0].0, scene, structure: &converted, options: &options };
+        let estimates = queueing::estimates(&subject, &set_up, |_| ())?;
+        for (((machine, program), estimate), rows) in set_up.iter().zip(estimates).zip(&mut rows) {
+            let record = Record {
+                triangles: scene.mesh.triangles.len() as u64,
+                node_bytes: node_bytes(&converted, machine.description.layout)?.0,
+                rays: estimate.totals.rays,
+                tally: Tally::new(program, &estimate.counts),
+                fingerprint: String::new(),
+            };
+            let job = Job { structure, test, series: Series::Main, chip: CHIP, load_words: "" };
+            let planned = Planned {
+                scene: scene.name.clone(),
+                job,
+                machine: machine.clone(),
+                file: String::new(),
+                fingerprint: String::new(),
+            };
+            rows.push(planned.row(&args.preset, preset, &record)?);
+        }
+        done();
+    }
+    Ok(rows)
+}
+
+/// The score of a claim: 1 where it holds, a half where it holds in some scenes.
+fn score(claim: &Claim) -> Option<f64> {
+    match claim.holds {
+        "yes" => Some(1.0),
+        "partly" => Some(0.5),
+        "no" => Some(0.0),
+        _ => None,
+    }
+}
+
+fn judged(claim: &Claim, sample: &[Values], varied: &[Vec<Claim>]) -> ClaimRegion {
+    let of = |claims: &Vec<Claim>| claims.iter().find(|other| other.claim == claim.claim).and_then(score);
+    let scores: Vec<Option<f64>> = varied.iter().map(of).collect();
+    ClaimRegion {
+        claim: claim.claim.clone(),
+        published: claim.published.clone(),
+        unchanged: claim.ours.clone(),
+        unchanged_holds: claim.holds,
+        region: region(sample, &scores, score(claim)),
+    }
+}
+
+/// A line for each machine and claim: the values of all keys, the claim, the result, and whether the claim holds.
+fn machines_csv(sample: &[Values], varied: &[Vec<Claim>]) -> anyhow::Result<String> {
+    let mut writer = csv::Writer::from_writer(vec![]);
+    let keys = RANGES.iter().map(|range| range.key);
+    writer.write_record(["machine"].into_iter().chain(keys).chain(["claim", "ours", "holds"]))?;
+    for (number, (machine, claims)) in sample.iter().zip(varied).enumerate() {
+        for claim in claims {
+            let mut record = vec![(number + 1).to_string()];
+            record.extend(RANGES.iter().zip(machine).map(|(range, value)| range.values[*value].to_owned()));
+            record.extend([claim.claim.clone(), claim.ours.clone(), claim.holds.to_owned()]);
+            writer.write_record(&record)?;
+        }
+    }
+    Ok(String::from_utf8(writer.into_inner()?)?)
+}
+
+/// The shares of machines for which each claim holds, in all scenes or in some.
+fn chart(claims: &[ClaimRegion]) -> Bars {
+    let share = |of: fn(&Region) -> f64| claims.iter().map(|claim| Some(100.0 * of(&claim.region))).collect();
+    Bars {
+        title: "Claims by the share of machines for which they hold".to_owned(),
+        unit: "% of machines".to_owned(),
+        categories: claims.iter().map(|claim| shortened(&claim.claim)).collect(),
+        series: vec![
+            ("in all scenes".to_owned(), share(|region| region.holds)),
+            ("in some scenes".to_owned(), share(|region| region.partly)),
+        ],
+        stacked: true,
+        max: Some(100.0),
+    }
+}
+
+/// The first words of a claim, so that a chart has room for its bars.
+fn shortened(claim: &str) -> String {
+    const MOST: usize = 46;
+    let text: String = claim.chars().take(MOST).collect();
+    if text.len() < claim.len() { text.trim_end().to_owned() + "..." } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::progress::Silent;
+    use estimate::Method;
+    use golden::build::Quality;
+
+    #[test]
+    fn each_machine_has_its_own_lines() {
+        let preset = Preset { detail: 0.001, width: 16, height: 16, chip: CHIP, scaling_tms: &[] };
+        let args = Options {
+            preset: "tiny".to_owned(),
+            scene: None,
+            quality: Quality::Fast,
+            machine: "trax".into(),
+            settings: vec![],
+            pipeline_cost: Method::Published,
+            out: "unused".into(),
+            seed: 1,
+            force: false,
+        };
+        let machine = |settings: &[&str]| {
+            let settings = settings.iter().map(|setting| (*setting).to_owned());
+            let settings: Vec<String> = chip_settings(CHIP).into_iter().chain(settings).collect();
+            MachineDescription::load("trax", &settings).unwrap()
+        };
+        let machines =
+            [&[][..], &["layout.alignment=64B"], &["l1.size=16KiB", "dram.channels=1"]].map(machine);
+        let scene = Scene::load("courtyard", preset.detail, 1).unwrap();
+        let built = Built::new(&scene, Quality::Fast, &Silent).unwrap();
+        let rows = |machines: &[MachineDescription]| {
+            estimates(&args, &preset, machines, &scene, &built, MachineStructure::Bvh2, || ()).unwrap()
+        };
+        let together = rows(&machines);
+        let [packed, aligned, small] = &together[..] else { panic!("{} machines", together.len()) };
+        assert_eq!(packed.iter().map(|row| row.test.as_str()).collect::<Vec<_>>(), ["raycast", "path"]);
+        assert!(aligned[0].node_bytes > packed[0].node_bytes);
+        assert!(small[1].cycles > packed[1].cycles && small[1].l1_hit_pct < packed[1].l1_hit_pct);
+        assert_eq!(small[1].instructions, packed[1].instructions);
+        for (machine, own) in machines.iter().zip(&together) {
+            assert_eq!(rows(std::slice::from_ref(machine))[0], *own, "a machine alone has the same lines");
+        }
+    }
+}
