@@ -4,28 +4,17 @@ use std::fs;
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 
-/// Folders of the workspace, seen from this crate. The tool itself only prints.
-const FOLDERS: [&str; 13] = [
-    "../../scenes",
-    "../../golden",
-    "../../hdl",
-    "../codegen",
-    "../compiled",
-    "../costs",
-    "../estimate",
-    "../gates",
-    "../lanes",
-    "../logic",
-    "../machine",
-    "../memory",
-    "src",
-];
+/// Folders of sources, seen from this crate; beside them, all crates in the folder above it.
+const FOLDERS: [&str; 4] = ["../../scenes", "../../golden", "../../hdl", "src"];
+/// Crates of that folder that only print and draw, and this one, of which `src` counts.
+const WITHOUT: [&str; 3] = ["tool", "view", "studies"];
 
 fn main() {
     let mut files = vec![PathBuf::from("../../Cargo.lock")];
-    for folder in FOLDERS {
-        println!("cargo::rerun-if-changed={folder}");
-        collect(Path::new(folder), &mut files);
+    let beside = entries(Path::new("..")).filter(|path| !WITHOUT.iter().any(|name| path.ends_with(name)));
+    for folder in FOLDERS.iter().map(PathBuf::from).chain(beside) {
+        println!("cargo::rerun-if-changed={}", folder.display());
+        collect(&folder, &mut files);
     }
     files.sort();
     // The standard hasher has fixed keys.
@@ -38,9 +27,13 @@ fn main() {
     println!("cargo::rustc-env=DUALSPLIT_SOURCES={:016x}", hasher.finish());
 }
 
+/// What lies in `folder`.
+fn entries(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path())
+}
+
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let path = entry.path();
+    for path in entries(folder) {
         if path.is_dir() {
             collect(&path, files);
         } else {

@@ -84,7 +84,7 @@ fn an_interrupted_run_leaves_no_temporary_file() {
     let work = Workplace::new();
     work.json("render scene.obj --size 64x64 --out a.png --rays a.rays");
     let before = work.files();
-    // Writing into a compressed file of 64 x 64 x 4096 rays takes longer than a signal.
+    // Writing the rays of 64 x 64 pixels and 256 samples into a compressed file takes longer than a signal.
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_dualsplit"))
         .args("render scene.obj --size 64x64 --spp 256 --out b.png --rays b.rays.xz".split(' '))
         .current_dir(work.path("."))

@@ -51,7 +51,7 @@ pub enum SimulationError {
 }
 
 /// The longest simulation, with a margin for the longest latency.
-const MAX_CYCLES: u32 = u32::MAX - (1 << 20);
+pub(crate) const MAX_CYCLES: u32 = u32::MAX - (1 << 20);
 
 /// Cycles without an instruction after which nothing is expected to move any more: several times what the DRAM needs to empty its
 /// queues with a row for each line and a refresh between them.
@@ -62,8 +62,8 @@ fn most_idle_cycles(machine: &MachineDescription) -> u32 {
     (8 * line * queues).clamp(1 << 20, 1 << 30) as u32
 }
 
-/// Most words of the tapes of all threads.
-const MOST_WORDS: usize = 1 << 29;
+/// Most words of the items that are under way.
+pub(crate) const MOST_WORDS: usize = 1 << 29;
 
 /// What a simulation counted.
 #[derive(Clone, Debug, Default)]

@@ -18,6 +18,7 @@ mod tm;
 mod work;
 
 pub use chip::{Counts, SimulationError, simulate, simulate_plan};
+pub(crate) use chip::{MAX_CYCLES, MOST_WORDS};
 pub use memory::{CacheCounts, DramCounts};
 pub use plan::{Noted, Plan, accesses};
 pub use stats::ThreadCycles;

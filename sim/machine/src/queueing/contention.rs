@@ -22,17 +22,17 @@ struct Pool {
     wait: f64,
 }
 
-/// Banks of a memory, which threads go through in trains.
+/// Fetches from the banks of an instruction cache, which threads go through in trains.
 #[derive(Clone, Debug)]
-struct Banks {
-    /// Threads that go through them.
+struct Fetches {
+    /// Threads that share the cache.
     population: u32,
-    /// Requests that a bank serves in a cycle.
+    /// Fetches from a bank in a cycle.
     capacity: u32,
     /// Number of banks.
     banks: f64,
-    /// Requests lately.
-    requests: f64,
+    /// Fetches lately.
+    fetches: f64,
     /// Cycles that a train waits.
     wait: f64,
 }
@@ -44,7 +44,7 @@ pub struct Contention {
     pub waits: Vec<f32>,
     /// How often each run has been executed since the last update.
     pub executed: Vec<u32>,
-    fetch: Banks,
+    fetch: Fetches,
     pools: [Option<Pool>; POOLS],
     /// Cycles of all threads lately.
     thread_cycles: f64,
@@ -79,15 +79,11 @@ impl Pool {
     }
 }
 
-impl Banks {
-    fn new(population: u32, capacity: u32, banks: u32) -> Self {
-        Self { population, capacity, banks: banks.into(), requests: 0.0, wait: 0.0 }
-    }
-
-    /// Finds the wait, after so many more `requests`.
-    fn update(&mut self, requests: f64, lately: Lately) {
-        self.requests = MEMORY * self.requests + requests;
-        let chance = self.requests / self.banks / lately.thread_cycles;
+impl Fetches {
+    /// Finds the wait, after so many more `fetches`.
+    fn update(&mut self, fetches: f64, lately: Lately) {
+        self.fetches = MEMORY * self.fetches + fetches;
+        let chance = self.fetches / self.banks / lately.thread_cycles;
         let population = (lately.running * f64::from(self.population)).ceil() as u32;
         self.wait = train_wait(population, self.capacity, chance);
     }
@@ -116,7 +112,13 @@ impl Contention {
         Self {
             waits: vec![0.0; profile.runs.len()],
             executed: vec![0; profile.runs.len()],
-            fetch: Banks::new(threads.div_ceil(icache.caches), icache.fetches_per_bank, icache.banks),
+            fetch: Fetches {
+                population: threads.div_ceil(icache.caches),
+                capacity: icache.fetches_per_bank,
+                banks: icache.banks.into(),
+                fetches: 0.0,
+                wait: 0.0,
+            },
             pools: std::array::from_fn(pool),
             thread_cycles: 0.0,
             runs: vec![0; profile.runs.len()],

@@ -1,6 +1,6 @@
 //! Items that have been executed, and wait for the machines to take them.
 
-use crate::core::{SimulationError, Tape, Work};
+use crate::core::{MOST_WORDS, SimulationError, Tape, Work};
 use crate::execute::Fault;
 use crate::program::{EntryId, Program};
 use rayon::prelude::*;
@@ -38,9 +38,6 @@ pub struct Items<'a, W> {
     /// The most that they may be.
     pub most_words: usize,
 }
-
-/// Most words of the items that wait, 2 GiB.
-const MOST_WORDS: usize = 1 << 29;
 
 impl<'a, W: Work> Items<'a, W> {
     /// The items of `work`, of which none has been executed.

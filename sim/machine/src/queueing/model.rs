@@ -5,7 +5,7 @@ use super::contention::Contention;
 use super::items::{Items, Words};
 use super::profile::Profile;
 use super::thread::{Machine, Place, Thread};
-use crate::core::{Counts, SimulationError, ThreadCycles, Work};
+use crate::core::{Counts, MAX_CYCLES, SimulationError, ThreadCycles, Work};
 use crate::description::MachineDescription;
 use crate::execute::Fault;
 use crate::program::Program;
@@ -14,8 +14,6 @@ use crate::program::Program;
 const WINDOW: u32 = 32;
 /// Cycles from one update of the waits to the next.
 const UPDATE: u32 = 512;
-/// The longest simulation, with a margin for the longest latency.
-const MAX_CYCLES: u32 = u32::MAX - (1 << 20);
 
 /// A multiprocessor.
 #[derive(Clone, Debug)]

@@ -98,11 +98,14 @@ fn binomial(n: usize, chance: f64) -> Vec<f64> {
     chances
 }
 
+/// The least chance of a free track. Where all are full, a train would wait for ever; this formula is not made for such a machine.
+const LEAST_FREE: f64 = 0.02;
+
 /// The cycles that a train waits for a track. Threads ask for the banks of a memory one after another, a cycle each; then they are
 /// never in each other's way again, once each has found a bank at which fewer than `capacity` of the others are. A thread is at
 /// a given bank with `chance`, and a train that finds its bank full tries the one before in the next cycle.
 pub fn train_wait(population: u32, capacity: u32, chance: f64) -> f64 {
     let chances = binomial(population.saturating_sub(1) as usize, chance.min(1.0));
     let free: f64 = chances.iter().take(capacity as usize).sum();
-    (1.0 - free) / free.max(0.02)
+    (1.0 - free) / free.max(LEAST_FREE)
 }

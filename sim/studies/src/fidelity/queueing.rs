@@ -34,8 +34,8 @@ pub fn estimates(
             work.records_for(machine, program)
         });
         open = others;
-        let timed: Vec<_> = alike.iter().map(|number| &machines[*number]).collect();
-        let timed: Vec<_> = timed.iter().map(|(machine, program)| (&machine.description, program)).collect();
+        let timed = alike.iter().map(|number| &machines[*number]);
+        let timed: Vec<_> = timed.map(|(machine, program)| (&machine.description, program)).collect();
         let counts = queueing::estimate(&timed, &work, &mut pixels_done)?;
         let (_, totals) = work.finish()?;
         let seconds = start.elapsed().as_secs_f64() / alike.len() as f64;

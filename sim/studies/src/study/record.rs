@@ -1,7 +1,7 @@
 //! What the study keeps of a run: what it counted, by kind, without any price.
 
 use super::jobs::{Job, Preset};
-use super::row::Row;
+use super::row::{Row, Run};
 use golden::build::Quality;
 use golden::structure::Structure;
 use machine::frame::{FrameMachine, frame, node_bytes};
@@ -59,15 +59,29 @@ impl Planned {
     pub fn row(&self, name: &str, preset: &Preset, record: &Record) -> anyhow::Result<Row> {
         let FrameMachine { description, pipeline, .. } = &self.machine;
         let results = Results::new(description, pipeline.as_ref(), &record.tally)?;
-        Ok(Row::new(name, preset, self, record, &results))
+        let run = Run {
+            preset: name,
+            size: preset,
+            scene: &self.scene,
+            triangles: record.triangles,
+            structure: self.job.structure,
+            test: self.job.test,
+            machine: description,
+            series: self.job.series,
+            load_words: self.job.load_words,
+            node_bytes: record.node_bytes,
+            rays: record.rays,
+            fingerprint: &record.fingerprint,
+        };
+        Ok(Row::new(&run, &results))
     }
 }
 
 /// Most bytes of the file of a run.
 pub(super) const MOST_BYTES: u64 = 1 << 20;
 
-/// A hash of everything that a run's counts depend on except its scene and test: the sources of this program, scene size, tree quality, the machine but for what
-/// only has a price, the pipeline, the program.
+/// A hash of everything that a run's counts depend on except its scene and test: the sources of this program, scene size, tree
+/// quality, the machine but for what only has a price, the pipeline, the program.
 pub(super) fn fingerprint(machine: &FrameMachine, quality: Quality, seed: u64, preset: &Preset) -> String {
     let version = env!("DUALSPLIT_SOURCES");
     let Preset { detail, width, height, .. } = preset;

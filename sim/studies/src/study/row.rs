@@ -1,8 +1,10 @@
 //! One line of the study's tables.
 
 use super::jobs::{Preset, SCALING_SCENE, SCALING_TEST, Series, WIDTH_SCENES, WIDTH_TEST};
-use super::record::{Planned, Record};
+use machine::description::MachineDescription;
+use machine::frame::MachineStructure;
 use machine::results::Results;
+use render::Test;
 use serde::Serialize;
 
 /// A simulated frame: its scene, structure and machine, and its results.
@@ -57,29 +59,39 @@ pub struct Row {
     pub fingerprint: String,
 }
 
+/// What a row says beside the results.
+pub(super) struct Run<'a> {
+    pub preset: &'a str,
+    pub size: &'a Preset,
+    pub scene: &'a str,
+    pub triangles: u64,
+    pub structure: MachineStructure,
+    pub test: Test,
+    pub machine: &'a MachineDescription,
+    pub series: Series,
+    pub load_words: &'a str,
+    pub node_bytes: u64,
+    pub rays: u64,
+    pub fingerprint: &'a str,
+}
+
 impl Row {
-    /// The row of a run that the preset `name` plans.
-    pub(super) fn new(
-        name: &str,
-        preset: &Preset,
-        planned: &Planned,
-        record: &Record,
-        results: &Results,
-    ) -> Self {
+    /// The row of `run`, which has these `results`.
+    pub(super) fn new(run: &Run<'_>, results: &Results) -> Self {
         let percent = |class: &str| results.thread_cycles[class];
         Self {
-            preset: name.to_owned(),
-            scene: planned.scene.clone(),
-            triangles: record.triangles,
-            structure: planned.job.structure.name().to_owned(),
-            test: planned.job.test.name().to_owned(),
-            width: preset.width,
-            height: preset.height,
-            tms: planned.machine.description.chip.tms(),
-            series: planned.job.series,
-            load_words: planned.job.load_words.to_owned(),
-            node_bytes: record.node_bytes,
-            rays: record.rays,
+            preset: run.preset.to_owned(),
+            scene: run.scene.to_owned(),
+            triangles: run.triangles,
+            structure: run.structure.name().to_owned(),
+            test: run.test.name().to_owned(),
+            width: run.size.width,
+            height: run.size.height,
+            tms: run.machine.chip.tms(),
+            series: run.series,
+            load_words: run.load_words.to_owned(),
+            node_bytes: run.node_bytes,
+            rays: run.rays,
             cycles: results.cycles.into(),
             frame_ms: results.frame_ms,
             energy_mj: results.energy_mj.total,
@@ -109,7 +121,7 @@ impl Row {
             l1_hit_pct: results.caches.l1_hit_pct,
             l2_hit_pct: results.caches.l2_hit_pct,
             dram_gb_s: results.bandwidth_gb_s.dram,
-            fingerprint: record.fingerprint.clone(),
+            fingerprint: run.fingerprint.to_owned(),
         }
     }
 }

@@ -7,19 +7,17 @@ pub mod machines;
 pub mod regions;
 
 use super::comparison::{Claim, compare};
-use super::jobs::{Job, Preset, Series, chip_settings};
-use super::record::{Planned, Record};
-use super::row::Row;
+use super::jobs::{Preset, Series, chip_settings};
+use super::row::{Row, Run};
 use super::{Options, scenes_of};
 use crate::artifacts::Artifacts;
 use crate::fidelity::{Subject, queueing};
 use crate::input::{Built, display};
 use crate::progress::{Part, Progress};
 use anyhow::ensure;
-use machine::description::MachineDescription;
+use machine::description::{Bytes, MachineDescription};
 use machine::frame::{FrameMachine, MachineStructure, node_bytes};
 use machine::program::Program;
-use machine::results::Tally;
 use machines::{CHIP, RANGES, Values};
 use rayon::prelude::*;
 use regions::{Region, region};
@@ -131,29 +129,30 @@ fn estimates(
         Ok((machine, program))
     });
     let set_up: Vec<(FrameMachine, Program)> = set_up.collect::<anyhow::Result<_>>()?;
+    let bytes = descriptions.iter().map(|machine| node_bytes(&converted, machine.layout));
+    let bytes: Vec<Bytes> = bytes.collect::<Result<_, _>>()?;
     let mut rows = vec![vec![]; set_up.len()];
     for test in Test::ALL {
         let options =
             RenderOptions { seed: args.seed, ..RenderOptions::new(test, preset.width, preset.height) };
         let subject = Subject { machine: &set_up[0].0, scene, structure: &converted, options: &options };
         let estimates = queueing::estimates(&subject, &set_up, |_| ())?;
-        for (((machine, program), estimate), rows) in set_up.iter().zip(estimates).zip(&mut rows) {
-            let record = Record {
+        for (number, estimate) in estimates.iter().enumerate() {
+            let run = Run {
+                preset: &args.preset,
+                size: preset,
+                scene: &scene.name,
                 triangles: scene.mesh.triangles.len() as u64,
-                node_bytes: node_bytes(&converted, machine.description.layout)?.0,
+                structure,
+                test,
+                machine: &descriptions[number],
+                series: Series::Main,
+                load_words: &descriptions[number].load_words().to_string(),
+                node_bytes: bytes[number].0,
                 rays: estimate.totals.rays,
-                tally: Tally::new(program, &estimate.counts),
-                fingerprint: String::new(),
+                fingerprint: "",
             };
-            let job = Job { structure, test, series: Series::Main, chip: CHIP, load_words: "" };
-            let planned = Planned {
-                scene: scene.name.clone(),
-                job,
-                machine: machine.clone(),
-                file: String::new(),
-                fingerprint: String::new(),
-            };
-            rows.push(planned.row(&args.preset, preset, &record)?);
+            rows[number].push(Row::new(&run, &estimate.results));
         }
         done();
     }
