@@ -57,8 +57,29 @@ impl<'a> Model<'a> {
         }
     }
 
+    /// Gives threads their first items, to one of each multiprocessor in turn: each has a counter's answer a cycle. Returns false if an
+    /// item has not been executed.
+    fn begin<W: Work>(&mut self, items: &Items<'_, W>) -> Result<bool, SimulationError> {
+        for thread in 0..self.seats[0].threads.len() {
+            for (number, seat) in self.seats.iter_mut().enumerate() {
+                let thread = &mut seat.threads[thread];
+                if thread.place != Place::Start {
+                    continue;
+                }
+                thread.run(&mut self.machine, &mut seat.l1, number / self.per_partition, f64::INFINITY);
+                if !next(thread, &mut self.next_item, items)? {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
+    }
+
     /// Goes on until all threads have halted, or one needs an item that has not been executed: then it returns false.
     pub fn advance<W: Work>(&mut self, items: &Items<'_, W>) -> Result<bool, SimulationError> {
+        if self.start == 0 && !self.begin(items)? {
+            return Ok(false);
+        }
         loop {
             let end = f64::from(self.start + WINDOW);
             for (number, seat) in self.seats.iter_mut().enumerate() {

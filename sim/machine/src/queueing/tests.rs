@@ -72,6 +72,16 @@ fn reads_share_the_buses_and_rows_of_the_memory() {
 }
 
 #[test]
+fn few_items_are_spread_over_all_multiprocessors() {
+    // Each partition reads the line for itself, as none has got it when the others ask.
+    let settings = ["chip.l2_partitions=4", "chip.tms_per_partition=2", "tm.threads=8", "dram.channels=1"];
+    let [core, estimate] = both(&settings, 8, "LOAD $3, $4, 0\naddu $5, $3, $3", |_| 64);
+    assert_eq!((core.l2.loads, core.l2.hits), (8, 0));
+    assert_eq!((estimate.l2.loads, estimate.l2.hits), (8, 0));
+    assert_eq!((estimate.dram.reads, estimate.dram.merged_reads), (1, 7));
+}
+
+#[test]
 fn machines_that_share_an_execution_count_as_each_alone() {
     let body = repeat("LOAD $3, $4, 0\nadd.s $f1, $f1, $f3\naddu $5, $3, $3", 8);
     let machines = ["tm.threads=4", "tm.threads=32", "l1.size=16KiB"].map(|setting| machine(&[setting]));
