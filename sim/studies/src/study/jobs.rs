@@ -19,8 +19,8 @@ pub struct Preset {
     pub scaling_tms: &'static [u32],
 }
 
-/// The size for the main job, which has two minutes for the study.
-const SMALL: Preset = Preset { width: 32, height: 32, ..QUICK };
+/// The size for the main job, which has a minute for the study.
+const SMALL: Preset = Preset { width: 24, height: 24, ..QUICK };
 const QUICK: Preset =
     Preset { detail: 0.02, width: 64, height: 64, chip: [1, 4], scaling_tms: &[1, 2, 4, 8] };
 const MEDIUM: Preset =
@@ -47,6 +47,8 @@ pub enum Series {
     Scaling,
     /// Some scenes with loads of several words.
     LoadWidth,
+    /// The hierarchies of boxes with sibling nodes placed within lines, which costs bytes for gaps.
+    Layout,
 }
 
 /// The scene and test of the scaling runs.
@@ -56,6 +58,11 @@ pub const SCALING_TEST: Test = Test::Path;
 pub const WIDTH_SCENES: [&str; 2] = ["atrium", "hairball"];
 pub const WIDTH_TEST: Test = Test::Path;
 const WIDER_LOADS: [&str; 3] = ["2", "4", "line"];
+/// The structures that are simulated a second time, with their nodes at [`LINE`]. The main series packs nodes, as the paper does.
+const PLACED: [MachineStructure; 3] =
+    [MachineStructure::Bvh2, MachineStructure::Bvh4, MachineStructure::Bvh8];
+/// The alignment at which the fewest loads of a hierarchy reach the L2 (docs/machine.md, "Where nodes lie").
+const LINE: &str = "64B";
 
 /// The settings of a machine with so many partitions and multiprocessors per partition.
 pub fn chip_settings([partitions, tms]: [u32; 2]) -> [String; 2] {
@@ -102,6 +109,8 @@ impl Job {
                 others.extend(of_test(WIDTH_TEST).map(job));
             }
         }
+        let placed = jobs.iter().filter(|job| PLACED.contains(&job.structure));
+        others.extend(placed.map(|job| Self { series: Series::Layout, ..*job }));
         jobs.extend(others);
         jobs
     }
@@ -110,8 +119,10 @@ impl Job {
     pub fn machine(&self, name: &Path, settings: &[String]) -> anyhow::Result<MachineDescription> {
         let mut settings = settings.to_vec();
         settings.extend(chip_settings(self.chip));
-        if self.series == Series::LoadWidth {
-            settings.push(format!("tm.load_words={}", self.load_words));
+        match self.series {
+            Series::Main | Series::Scaling => {}
+            Series::LoadWidth => settings.push(format!("tm.load_words={}", self.load_words)),
+            Series::Layout => settings.push(format!("layout.alignment={LINE}")),
         }
         Ok(MachineDescription::load(name, &settings)?)
     }
@@ -122,8 +133,31 @@ impl Job {
             Series::Main => String::new(),
             Series::Scaling => format!("-{}tms", self.chip[0] * self.chip[1]),
             Series::LoadWidth => format!("-{}words", self.load_words),
+            Series::Layout => format!("-{LINE}"),
         };
         let structure = self.structure.name().replace('+', "p");
         format!("runs/{preset}-{scene}-{}-{structure}{part}.json", self.test)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_simulation_has_a_file_and_placed_nodes_lie_in_lines() {
+        for scene in scenes::procedural::CATALOGUE {
+            let jobs = Job::of_scene(scene.name, &QUICK);
+            let files: BTreeSet<String> = jobs.iter().map(|job| job.file(scene.name, "quick")).collect();
+            assert_eq!(files.len(), jobs.len(), "{}", scene.name);
+            let placed: Vec<&Job> = jobs.iter().filter(|job| job.series == Series::Layout).collect();
+            assert_eq!(placed.len(), PLACED.len() * Test::ALL.len());
+            for job in jobs {
+                let machine = job.machine("trax".as_ref(), &[]).unwrap();
+                let alignment = machine.layout.alignment.to_string();
+                assert_eq!(alignment, if job.series == Series::Layout { LINE } else { "0B" });
+            }
+        }
     }
 }

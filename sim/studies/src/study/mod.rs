@@ -66,6 +66,7 @@ pub struct Study {
     pub rows: Vec<Row>,
     pub scaling: Vec<Row>,
     pub load_width: Vec<Row>,
+    pub layout: Vec<Row>,
     pub comparison: Vec<Claim>,
     #[serde(skip)]
     pub artifacts: Vec<String>,
@@ -114,14 +115,22 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Study> {
     }
     let of = |series| row::of_series(&all, series);
     let (rows, scaling, load_width) = (of(Series::Main), of(Series::Scaling), of(Series::LoadWidth));
+    let layout = of(Series::Layout);
     let comparison = compare(&rows, &scaling);
     artifacts.write("study.csv", row::csv(all.iter())?.as_bytes())?;
     artifacts.write("comparison.csv", comparison::csv(&comparison)?.as_bytes())?;
     for (name, svg) in plots::all(&rows, &scaling, &load_width) {
         artifacts.write(&name, svg.as_bytes())?;
     }
-    let mut study =
-        Study { preset: args.preset.clone(), rows, scaling, load_width, comparison, artifacts: vec![] };
+    let mut study = Study {
+        preset: args.preset.clone(),
+        rows,
+        scaling,
+        load_width,
+        layout,
+        comparison,
+        artifacts: vec![],
+    };
     let json = serde_json::to_string_pretty(&study)?;
     artifacts.write("study.json", json.as_bytes())?;
     study.artifacts = artifacts.finish()?.iter().map(|path| display(path)).collect();

@@ -22,6 +22,9 @@ pub struct Row {
     pub series: Series,
     /// Words of a load: 1, 2, 4 or line.
     pub load_words: String,
+    /// `layout.alignment` of the machine; 0B where nodes are packed.
+    pub alignment: String,
+    /// Bytes of the nodes and of the gaps between them.
     pub node_bytes: u64,
     pub rays: u64,
     pub cycles: u64,
@@ -90,6 +93,7 @@ impl Row {
             tms: run.machine.chip.tms(),
             series: run.series,
             load_words: run.load_words.to_owned(),
+            alignment: run.machine.layout.alignment.to_string(),
             node_bytes: run.node_bytes,
             rays: run.rays,
             cycles: results.cycles.into(),
@@ -132,7 +136,7 @@ pub(super) fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
         row.series == series
             || row.series == Series::Main
                 && match series {
-                    Series::Main => true,
+                    Series::Main | Series::Layout => true,
                     Series::Scaling => row.scene == SCALING_SCENE && row.test == SCALING_TEST.name(),
                     Series::LoadWidth => {
                         WIDTH_SCENES.contains(&row.scene.as_str()) && row.test == WIDTH_TEST.name()
@@ -141,7 +145,8 @@ pub(super) fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
     };
     let mut chosen: Vec<Row> = rows.iter().filter(belongs).cloned().collect();
     let key = |row: &Row| {
-        (row.scene.clone(), row.test.clone(), row.structure.clone(), row.tms, row.load_words.clone())
+        let varied = (row.tms, row.load_words.clone(), row.alignment.clone());
+        (row.scene.clone(), row.test.clone(), row.structure.clone(), varied)
     };
     chosen.sort_by_key(key);
     chosen

@@ -219,7 +219,7 @@ pub struct SimulateArgs {
 
 #[derive(Args, Debug)]
 pub struct StudyArgs {
-    /// small: a fiftieth of the triangles, 32x32 pixels, 4 multiprocessors; quick: the same with 64x64 pixels, takes minutes;
+    /// small: a fiftieth of the triangles, 24x24 pixels, 4 multiprocessors; quick: the same with 64x64 pixels, takes minutes;
     /// medium: a quarter of the triangles, 128x128 pixels, 32 multiprocessors, takes half an hour; paper: all triangles,
     /// 256x256 pixels, takes hours.
     #[arg(long, default_value = "quick", value_parser = ["small", "quick", "medium", "paper"])]

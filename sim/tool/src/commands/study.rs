@@ -62,6 +62,7 @@ fn tables(study: &Study) -> String {
         "scene",
         "test",
         "structure",
+        "alignment",
         "tree MB",
         "rays",
         "frame ms",
@@ -74,11 +75,12 @@ fn tables(study: &Study) -> String {
         "issue %",
         "data %",
     ];
-    let rows = study.rows.iter().map(|row| {
+    let rows = study.layout.iter().map(|row| {
         [
             row.scene.clone(),
             row.test.clone(),
             row.structure.clone(),
+            row.alignment.clone(),
             fixed(row.node_bytes as f64 / 1e6, 2),
             row.rays.to_string(),
             fixed(row.frame_ms, 4),
