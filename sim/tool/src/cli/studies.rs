@@ -237,6 +237,9 @@ pub struct StudyArgs {
     /// Machines of --sensitivity, from 8 to 1024.
     #[arg(long, default_value_t = 48, value_name = "N", requires = "sensitivity", value_parser = clap::value_parser!(u32).range(8..=1024))]
     pub machines: u32,
+    /// Machines of --sensitivity that are simulated as well, from the fastest to the slowest.
+    #[arg(long, default_value_t = 2, value_name = "N", requires = "sensitivity", value_parser = clap::value_parser!(u32).range(0..=1024))]
+    pub confirm: u32,
     #[command(flatten)]
     pub quality: QualityArgs,
     #[command(flatten)]

@@ -3,7 +3,7 @@
 use crate::cli::{Global, StudyArgs};
 use crate::console::{Bars, Report, fixed, table};
 use studies::study::row::Row;
-use studies::study::sensitivity::{self, Sensitivity};
+use studies::study::sensitivity::{self, Sample, Sensitivity};
 use studies::study::{self, Options, Study};
 
 pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
@@ -19,7 +19,8 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     if args.sensitivity {
-        let found = sensitivity::run(&options, args.machines as usize, &Bars::default())?;
+        let size = Sample { machines: args.machines as usize, confirmed: args.confirm as usize };
+        let found = sensitivity::run(&options, size, &Bars::default())?;
         let text = regions(&found);
         let artifacts = found.artifacts.clone();
         return Ok(Report::new(&found, text, artifacts));
@@ -53,6 +54,30 @@ fn regions(found: &Sensitivity) -> String {
         "\n{} machines; a score is 1 where the claim holds, 0.5 where it holds in some scenes, and 0 where it does not.\n",
         found.machines
     );
+    if !found.confirmations.is_empty() {
+        text += "\nSimulated as well\n\n";
+        let rows = found.confirmations.iter().map(|of| {
+            [
+                of.machine.to_string(),
+                of.frames.to_string(),
+                fixed(of.mean_time_error_pct, 1),
+                fixed(of.worst_time_error_pct, 1),
+                fixed(of.worst_energy_error_pct, 1),
+                format!("{} of {}", of.claims - of.judged_otherwise.len(), of.claims),
+                of.judged_otherwise.join("; "),
+            ]
+        });
+        let header = [
+            "machine",
+            "frames",
+            "mean time error %",
+            "worst time error %",
+            "worst energy error %",
+            "claims judged alike",
+            "judged otherwise",
+        ];
+        text += &table(header, rows);
+    }
     text
 }
 

@@ -1,8 +1,9 @@
 //! Which of the paper's claims depend on the machine.
 //!
 //! The study's main series is estimated at the queueing level on a sample of machines ([`machines`]), every claim is judged on each
-//! of them, and [`regions`] says for which it holds.
+//! of them, and [`regions`] says for which it holds. Some of the machines are simulated as well ([`confirmation`]).
 
+pub mod confirmation;
 pub mod machines;
 pub mod regions;
 
@@ -15,9 +16,13 @@ use crate::fidelity::{Subject, queueing};
 use crate::input::{Built, display};
 use crate::progress::{Part, Progress};
 use anyhow::ensure;
-use machine::description::{Bytes, MachineDescription};
+use confirmation::{Confirmation, confirm};
+use costs::Pipeline;
+use golden::structure::Structure;
+use machine::description::MachineDescription;
 use machine::frame::{FrameMachine, MachineStructure, node_bytes};
 use machine::program::Program;
+use machine::results::Results;
 use machines::{CHIP, RANGES, Values};
 use rayon::prelude::*;
 use regions::{Region, region};
@@ -35,6 +40,7 @@ pub struct Sensitivity {
     pub ranges: Vec<RangeRow>,
     pub machines: usize,
     pub claims: Vec<ClaimRegion>,
+    pub confirmations: Vec<Confirmation>,
     #[serde(skip)]
     pub artifacts: Vec<String>,
 }
@@ -60,39 +66,44 @@ pub struct ClaimRegion {
     pub region: Region,
 }
 
-/// Estimates the study's main series on the machine that `args` name and on `count` variations of it, and judges all claims.
+/// How many machines are estimated, and how many of these are simulated.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Machines that are estimated, beside the one that is varied.
+    pub machines: usize,
+    /// Machines of these that are simulated as well.
+    pub confirmed: usize,
+}
+
+/// Estimates the study's main series on the machine that `args` name and on variations of it, and judges all claims.
 ///
 /// # Errors
-/// There is no such preset, scene or machine, a frame cannot be estimated, or a file cannot be written.
-pub fn run(args: &Options, count: usize, progress: &dyn Progress) -> anyhow::Result<Sensitivity> {
+/// There is no such preset, scene or machine, a frame cannot be estimated or simulated, or a file cannot be written.
+pub fn run(args: &Options, size: Sample, progress: &dyn Progress) -> anyhow::Result<Sensitivity> {
     let preset = Preset { chip: CHIP, ..*Preset::find(&args.preset)? };
     for setting in &args.settings {
         let key = setting.split('=').next().unwrap_or_default().trim();
         let is_varied = key.starts_with("chip.") || RANGES.iter().any(|range| range.key == key);
         ensure!(!is_varied, "--set {setting}: --sensitivity gives this key values of its own; leave it out");
     }
-    let sample = machines::sample(count, args.seed);
+    let sample = machines::sample(size.machines, args.seed);
     let settings = std::iter::once(vec![]).chain(sample.iter().map(machines::settings));
     let descriptions = settings.map(|settings| {
         let settings = [&args.settings[..], &chip_settings(CHIP), &settings].concat();
         MachineDescription::load(&args.machine, &settings)
     });
-    let descriptions: Vec<MachineDescription> = descriptions.collect::<Result<_, _>>()?;
-    let scenes = scenes_of(args)?;
+    let frames = Frames {
+        args,
+        preset,
+        descriptions: descriptions.collect::<Result<_, _>>()?,
+        structures: &MachineStructure::ALL,
+        pipeline: Box::new(estimate::by_name(args.pipeline_cost)),
+    };
+    scenes_of(args)?;
     let mut artifacts = Artifacts::create(&args.out.join("sensitivity"), args.force)?;
-    let frames = scenes.len() * MachineStructure::ALL.len() * Test::ALL.len();
-    let part = Part::begin(progress, frames as u64, "estimating on all machines");
-    let mut rows: Vec<Vec<Row>> = vec![vec![]; descriptions.len()];
-    for scene in scenes {
-        let scene = Scene::load(scene, preset.detail, args.seed)?;
-        let built = Built::new(&scene, args.quality, progress)?;
-        for structure in MachineStructure::ALL {
-            let of_structure =
-                estimates(args, &preset, &descriptions, &scene, &built, structure, || part.advance(1))?;
-            rows.iter_mut().zip(of_structure).for_each(|(rows, more)| rows.extend(more));
-        }
-    }
-    drop(part);
+    let rows = estimates(&frames, progress)?;
+    let chosen = confirmation::chosen(&rows, size.confirmed);
+    let confirmations = confirm(&frames, &chosen, &rows, &sample, progress)?;
     let claims: Vec<Vec<Claim>> = rows.par_iter().map(|rows| compare(rows, &[])).collect();
     let [unchanged, varied @ ..] = &claims[..] else { unreachable!("the machine itself comes first") };
     let claims: Vec<ClaimRegion> = unchanged.iter().map(|claim| judged(claim, &sample, varied)).collect();
@@ -100,10 +111,11 @@ pub fn run(args: &Options, count: usize, progress: &dyn Progress) -> anyhow::Res
     artifacts.write("holds.svg", chart(&claims).svg().as_bytes())?;
     let mut document = Sensitivity {
         preset: args.preset.clone(),
-        machine: descriptions[0].name.clone(),
+        machine: frames.descriptions[0].name.clone(),
         ranges: RANGES.iter().map(|range| RangeRow { key: range.key, values: range.values }).collect(),
-        machines: count,
+        machines: size.machines,
         claims,
+        confirmations,
         artifacts: vec![],
     };
     artifacts.write("sensitivity.json", serde_json::to_string_pretty(&document)?.as_bytes())?;
@@ -111,51 +123,95 @@ pub fn run(args: &Options, count: usize, progress: &dyn Progress) -> anyhow::Res
     Ok(document)
 }
 
-/// For each machine, its lines of the study's tables for `structure` in `scene`.
-fn estimates(
-    args: &Options,
-    preset: &Preset,
-    descriptions: &[MachineDescription],
-    scene: &Scene,
-    built: &Built,
+/// The frames of the study's main series on many machines.
+struct Frames<'a> {
+    args: &'a Options,
+    preset: Preset,
+    descriptions: Vec<MachineDescription>,
+    structures: &'static [MachineStructure],
+    pipeline: Box<dyn Fn(&str) -> Pipeline + Sync + 'a>,
+}
+
+/// One of the frames.
+struct Place<'a> {
+    scene: &'a Scene,
     structure: MachineStructure,
-    done: impl Fn(),
-) -> anyhow::Result<Vec<Vec<Row>>> {
-    let (converted, _) = built.convert(structure.kind())?;
-    let pipeline = estimate::by_name(args.pipeline_cost);
-    let set_up = descriptions.par_iter().map(|machine| {
-        let machine = FrameMachine::new(machine, structure, &pipeline)?;
-        let program = machine.program()?;
-        Ok((machine, program))
-    });
-    let set_up: Vec<(FrameMachine, Program)> = set_up.collect::<anyhow::Result<_>>()?;
-    let bytes = descriptions.iter().map(|machine| node_bytes(&converted, machine.layout));
-    let bytes: Vec<Bytes> = bytes.collect::<Result<_, _>>()?;
-    let mut rows = vec![vec![]; set_up.len()];
-    for test in Test::ALL {
-        let options =
-            RenderOptions { seed: args.seed, ..RenderOptions::new(test, preset.width, preset.height) };
-        let subject = Subject { machine: &set_up[0].0, scene, structure: &converted, options: &options };
-        let estimates = queueing::estimates(&subject, &set_up, |_| ())?;
-        for (number, estimate) in estimates.iter().enumerate() {
-            let run = Run {
-                preset: &args.preset,
-                size: preset,
-                scene: &scene.name,
-                triangles: scene.mesh.triangles.len() as u64,
-                structure,
-                test,
-                machine: &descriptions[number],
-                series: Series::Main,
-                load_words: &descriptions[number].load_words().to_string(),
-                node_bytes: bytes[number].0,
-                rays: estimate.totals.rays,
-                fingerprint: "",
-            };
-            rows[number].push(Row::new(&run, &estimate.results));
-        }
-        done();
+    converted: &'a Structure,
+    options: RenderOptions,
+}
+
+impl Frames<'_> {
+    /// How many there are on each machine.
+    fn count(&self) -> anyhow::Result<usize> {
+        Ok(scenes_of(self.args)?.len() * self.structures.len() * Test::ALL.len())
     }
+
+    /// Calls `visit` with each frame.
+    fn each(
+        &self,
+        progress: &dyn Progress,
+        mut visit: impl FnMut(&Place<'_>) -> anyhow::Result<()>,
+    ) -> anyhow::Result<()> {
+        for scene in scenes_of(self.args)? {
+            let scene = Scene::load(scene, self.preset.detail, self.args.seed)?;
+            let built = Built::new(&scene, self.args.quality, progress)?;
+            for &structure in self.structures {
+                let (converted, _) = built.convert(structure.kind())?;
+                for test in Test::ALL {
+                    let options = RenderOptions::new(test, self.preset.width, self.preset.height);
+                    let options = RenderOptions { seed: self.args.seed, ..options };
+                    visit(&Place { scene: &scene, structure, converted: &converted, options })?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The line of the study's tables for a frame on machine `number`.
+    fn row(&self, place: &Place<'_>, number: usize, rays: u64, results: &Results) -> anyhow::Result<Row> {
+        let machine = &self.descriptions[number];
+        let run = Run {
+            preset: &self.args.preset,
+            size: &self.preset,
+            scene: &place.scene.name,
+            triangles: place.scene.mesh.triangles.len() as u64,
+            structure: place.structure,
+            test: place.options.test,
+            machine,
+            series: Series::Main,
+            load_words: &machine.load_words().to_string(),
+            node_bytes: node_bytes(place.converted, machine.layout)?.0,
+            rays,
+            fingerprint: "",
+        };
+        Ok(Row::new(&run, results))
+    }
+}
+
+/// For each machine, its lines of the study's tables, from one execution of each frame.
+fn estimates(frames: &Frames<'_>, progress: &dyn Progress) -> anyhow::Result<Vec<Vec<Row>>> {
+    let part = Part::begin(progress, frames.count()? as u64, "estimating on all machines");
+    let mut rows = vec![vec![]; frames.descriptions.len()];
+    frames.each(progress, |place| {
+        let set_up = frames.descriptions.par_iter().map(|machine| {
+            let machine = FrameMachine::new(machine, place.structure, &frames.pipeline)?;
+            let program = machine.program()?;
+            Ok((machine, program))
+        });
+        let set_up: Vec<(FrameMachine, Program)> = set_up.collect::<anyhow::Result<_>>()?;
+        let subject = Subject {
+            machine: &set_up[0].0,
+            scene: place.scene,
+            structure: place.converted,
+            options: &place.options,
+        };
+        let estimates = queueing::estimates(&subject, &set_up, |_| ())?;
+        for (number, (rows, estimate)) in rows.iter_mut().zip(&estimates).enumerate() {
+            rows.push(frames.row(place, number, estimate.totals.rays, &estimate.results)?);
+        }
+        part.advance(1);
+        Ok(())
+    })?;
     Ok(rows)
 }
 
@@ -229,10 +285,9 @@ mod tests {
 
     #[test]
     fn each_machine_has_its_own_lines() {
-        let preset = Preset { detail: 0.001, width: 16, height: 16, chip: CHIP, scaling_tms: &[] };
         let args = Options {
             preset: "tiny".to_owned(),
-            scene: None,
+            scene: Some("courtyard".to_owned()),
             quality: Quality::Fast,
             machine: "trax".into(),
             settings: vec![],
@@ -246,13 +301,16 @@ mod tests {
             let settings: Vec<String> = chip_settings(CHIP).into_iter().chain(settings).collect();
             MachineDescription::load("trax", &settings).unwrap()
         };
+        let frames = |descriptions: Vec<MachineDescription>| Frames {
+            args: &args,
+            preset: Preset { detail: 0.001, width: 16, height: 16, chip: CHIP, scaling_tms: &[] },
+            descriptions,
+            structures: &[MachineStructure::Bvh2],
+            pipeline: Box::new(estimate::by_name(Method::Published)),
+        };
         let machines =
             [&[][..], &["layout.alignment=64B"], &["l1.size=16KiB", "dram.channels=1"]].map(machine);
-        let scene = Scene::load("courtyard", preset.detail, 1).unwrap();
-        let built = Built::new(&scene, Quality::Fast, &Silent).unwrap();
-        let rows = |machines: &[MachineDescription]| {
-            estimates(&args, &preset, machines, &scene, &built, MachineStructure::Bvh2, || ()).unwrap()
-        };
+        let rows = |machines: &[MachineDescription]| estimates(&frames(machines.to_vec()), &Silent).unwrap();
         let together = rows(&machines);
         let [packed, aligned, small] = &together[..] else { panic!("{} machines", together.len()) };
         assert_eq!(packed.iter().map(|row| row.test.as_str()).collect::<Vec<_>>(), ["raycast", "path"]);
@@ -262,5 +320,18 @@ mod tests {
         for (machine, own) in machines.iter().zip(&together) {
             assert_eq!(rows(std::slice::from_ref(machine))[0], *own, "a machine alone has the same lines");
         }
+        let chosen = confirmation::chosen(&together, 2);
+        assert_eq!(chosen, [1, 2], "the fastest first");
+        let sample = machines::sample(2, 1);
+        let confirmed = confirm(&frames(machines.to_vec()), &chosen, &together, &sample, &Silent).unwrap();
+        for (machine, confirmation) in chosen.iter().zip(&confirmed) {
+            assert_eq!((confirmation.machine, confirmation.frames), (*machine, together[0].len()));
+            let error = confirmation.worst_time_error_pct.abs();
+            assert!((0.001..20.0).contains(&error), "{confirmation:?}");
+        }
+        // The estimates of another machine are noticed.
+        let others = [packed.clone(), small.clone(), aligned.clone()];
+        let confirmed = confirm(&frames(machines.to_vec()), &[1], &others, &sample, &Silent).unwrap();
+        assert!(confirmed[0].mean_time_error_pct > 15.0, "{:?}", confirmed[0]);
     }
 }
