@@ -1,12 +1,21 @@
 // fp_cmp: written by dualsplit 0.1.0 from the rust-hdl source; do not edit.
-// Verilog-2005. One clock, rising edge, no reset: registers start at their initial value.
+// Verilog-2005. One clock, rising edge; rst_ni, asserted asynchronously, clears the valid bits and nothing else.
 `default_nettype none
 
-// fp_cmp e8m23_t1
+// fp_cmp: fp_cmp e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
+//
+// Floating-point comparison.
+//
+// Sign-magnitude words compare like unsigned integers, except that a negative operand reverses the outcome. Let `u`
+// be `a < b` on the words as unsigned integers. If both signs are clear, `a < b` is `u`; if both are set, it is the
+// reverse, `!u` (for `a != b`); if only `a` is negative, its word is the larger one, so that `u = 0` and again `!u` is
+// right; if only `b` is negative, `u = 1`, and `!u` is right. Hence `a < b` is `u` xor `(sign_a | sign_b)` wherever the
+// operands differ.
 module fp_cmp (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire        tag_i,
@@ -20,11 +29,11 @@ module fp_cmp (
 );
 
     // Registers
-    reg valid = 1'b0;
-    reg tag = 1'b0;
-    reg lt = 1'b0;
-    reg le = 1'b0;
-    reg eq = 1'b0;
+    reg valid;
+    reg tag;
+    reg lt;
+    reg le;
+    reg eq;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -37,9 +46,15 @@ module fp_cmp (
     wire less = (below ^ any_negative) & ~equal;
 
     // Next state
+    always @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+            valid <= 1'b0;
+        end else if (en_i) begin
+            valid <= valid_i;
+        end
+    end
     always @(posedge clk_i) begin
         if (en_i) begin
-            valid <= valid_i;
             tag <= tag_i;
             lt <= ordered & less;
             le <= ordered & (less | equal);

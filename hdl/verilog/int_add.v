@@ -1,10 +1,13 @@
 // int_add: written by dualsplit 0.1.0 from the rust-hdl source; do not edit.
-// Verilog-2005. One clock, rising edge, no reset: registers start at their initial value.
+// Verilog-2005. One clock, rising edge; rst_ni, asserted asynchronously, clears the valid bits and nothing else.
 `default_nettype none
 
-// int_add w32_t1
+// int_add: int_add w32_t1
+//
+// Integer adder: forms the second child's offset.
 module int_add (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire        tag_i,
@@ -16,14 +19,20 @@ module int_add (
 );
 
     // Registers
-    reg valid = 1'b0;
-    reg tag = 1'b0;
-    reg [31:0] sum = 32'd0;
+    reg valid;
+    reg tag;
+    reg [31:0] sum;
 
     // Next state
+    always @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+            valid <= 1'b0;
+        end else if (en_i) begin
+            valid <= valid_i;
+        end
+    end
     always @(posedge clk_i) begin
         if (en_i) begin
-            valid <= valid_i;
             tag <= tag_i;
             sum <= a_i + b_i;
         end

@@ -1,11 +1,13 @@
 // ray_box: written by dualsplit 0.1.0 from the rust-hdl source; do not edit.
-// Verilog-2005. One clock, rising edge, no reset: registers start at their initial value.
+// Verilog-2005. One clock, rising edge; rst_ni, asserted asynchronously, clears the valid bits and nothing else.
 `default_nettype none
 // One file holds the whole hierarchy of its top:
 // verilator lint_off DECLFILENAME
 
-// delay w32_n2
-module delay_v1 (
+// ray_box_delay_v1: delay w32_n2
+//
+// Delay line: a value that has to wait for a unit's result.
+module ray_box_delay_v1 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] d_i,
@@ -13,8 +15,8 @@ module delay_v1 (
 );
 
     // Registers
-    reg [31:0] stage_0 = 32'd0;
-    reg [31:0] stage_1 = 32'd0;
+    reg [31:0] stage_0;
+    reg [31:0] stage_1;
 
     // Next state
     always @(posedge clk_i) begin
@@ -28,8 +30,8 @@ module delay_v1 (
     assign q_o = stage_1;
 endmodule
 
-// delay w32_n5
-module delay_v2 (
+// ray_box_delay_v2: delay w32_n5
+module ray_box_delay_v2 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] d_i,
@@ -37,11 +39,11 @@ module delay_v2 (
 );
 
     // Registers
-    reg [31:0] stage_0 = 32'd0;
-    reg [31:0] stage_1 = 32'd0;
-    reg [31:0] stage_2 = 32'd0;
-    reg [31:0] stage_3 = 32'd0;
-    reg [31:0] stage_4 = 32'd0;
+    reg [31:0] stage_0;
+    reg [31:0] stage_1;
+    reg [31:0] stage_2;
+    reg [31:0] stage_3;
+    reg [31:0] stage_4;
 
     // Next state
     always @(posedge clk_i) begin
@@ -58,8 +60,13 @@ module delay_v2 (
     assign q_o = stage_4;
 endmodule
 
-// ray_box_select w32
+// ray_box_select: ray_box_select w32
 //   constant sign_index = 8'h1f
+//
+// First stage of the ray-box pipeline: picks the reciprocal of each plane's role, and lets operands wait.
+//
+// A ray that runs upwards on an axis enters through the box's min plane and leaves through its max plane; the sign bit
+// of the entry reciprocal tells the direction.
 module ray_box_select (
     input  wire        clk_i,
     input  wire        en_i,
@@ -100,49 +107,49 @@ module ray_box_select (
     wire [31:0] inv_high_2 = inv_entry_z_i[31] ? inv_entry_z_i : inv_exit_z_i;
 
     // Instances
-    delay_v1 inv_wait_0 (
+    ray_box_delay_v1 inv_wait_0 (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (inv_low_0),
         .q_o   (inv_wait_0_q_o)
     );
-    delay_v1 inv_wait_1 (
+    ray_box_delay_v1 inv_wait_1 (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (inv_low_1),
         .q_o   (inv_wait_1_q_o)
     );
-    delay_v1 inv_wait_2 (
+    ray_box_delay_v1 inv_wait_2 (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (inv_low_2),
         .q_o   (inv_wait_2_q_o)
     );
-    delay_v1 inv_wait_3 (
+    ray_box_delay_v1 inv_wait_3 (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (inv_high_0),
         .q_o   (inv_wait_3_q_o)
     );
-    delay_v1 inv_wait_4 (
+    ray_box_delay_v1 inv_wait_4 (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (inv_high_1),
         .q_o   (inv_wait_4_q_o)
     );
-    delay_v1 inv_wait_5 (
+    ray_box_delay_v1 inv_wait_5 (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (inv_high_2),
         .q_o   (inv_wait_5_q_o)
     );
-    delay_v2 t_min_wait (
+    ray_box_delay_v2 t_min_wait (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (t_min_i),
         .q_o   (t_min_wait_q_o)
     );
-    delay_v2 t_max_wait (
+    ray_box_delay_v2 t_max_wait (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (t_max_i),
@@ -160,13 +167,18 @@ module ray_box_select (
     assign t_max_o = t_max_wait_q_o;
 endmodule
 
-// fp_unpack e8m23
+// ray_box_fp_unpack: fp_unpack e8m23
 //   constant sign_index = 8'h1f
 //   constant fraction_bits = 8'h17
 //   constant fraction_mask = 24'h7fffff
 //   constant hidden_bit = 24'h800000
 //   constant special_exponent = 8'hff
-module fp_unpack (
+//
+// Splits a word into the fields that the arithmetic units compute with.
+//
+// A finite value is `(-1)^sign * significand * 2^(exponent - bias - (S - 1))`. A subnormal has the exponent code of the
+// smallest normal number, 1, and a clear leading bit, so that the formula holds for it and for zero too.
+module ray_box_fp_unpack (
     input  wire [31:0] word_i,
     output wire        sign_o,
     output wire [7:0]  exponent_o,
@@ -180,20 +192,20 @@ module fp_unpack (
     wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
     wire special = code == 8'hff;
     wire [23:0] significand_1 = fraction | 24'h800000;
-    wire n9 = |code;
-    wire [7:0] exponent = n9 ? code : 8'd1;
-    wire [23:0] significand = n9 ? significand_1 : fraction;
-    wire n14 = |fraction;
+    wire significand_if = |code;
+    wire [7:0] exponent = significand_if ? code : 8'd1;
+    wire [23:0] significand = significand_if ? significand_1 : fraction;
+    wire infinity_o_part = |fraction;
 
     // Outputs
     assign sign_o = word_i[31];
     assign exponent_o = exponent;
     assign significand_o = significand;
-    assign nan_o = special & n14;
-    assign infinity_o = special & ~n14;
+    assign nan_o = special & infinity_o_part;
+    assign infinity_o = special & ~infinity_o_part;
 endmodule
 
-// sticky_shift w28_a8
+// ray_box_sticky_shift_v1: sticky_shift w28_a8
 //   constant distance_0 = 8'd1
 //   constant distance_1 = 8'd2
 //   constant distance_2 = 8'd4
@@ -210,7 +222,9 @@ endmodule
 //   constant lost_mask_5 = 28'hfffffff
 //   constant lost_mask_6 = 28'hfffffff
 //   constant lost_mask_7 = 28'hfffffff
-module sticky_shift_v1 (
+//
+// Right shift that remembers whether it lost anything.
+module ray_box_sticky_shift_v1 (
     input  wire [27:0] value_i,
     input  wire [7:0]  amount_i,
     output wire [27:0] result_o
@@ -244,7 +258,7 @@ module sticky_shift_v1 (
     assign result_o = value;
 endmodule
 
-// rounder e8m23
+// ray_box_rounder: rounder e8m23
 //   constant leading_index = 8'h19
 //   constant fraction_mask = 26'h7fffff
 //   constant fraction_bits = 8'h17
@@ -254,7 +268,24 @@ endmodule
 //   constant canonical_nan = 32'h7fc00000
 //   constant sign_bit = 32'h80000000
 //   tied input rounding_i = 3'd0
-module rounder (
+//
+// The one rounder behind every operation.
+//
+// The exact result is handed over as `(-1)^sign * significand * 2^(exponent - bias - S)`, where the significand has `S`
+// bits, a round bit and a sticky bit (the OR of all that is further below). Field and fraction are packed into one
+// word before the increment, so that a carry out of the fraction runs into the exponent: the largest subnormal becomes
+// the smallest normal number, and the largest number becomes infinity, without a case of their own.
+//
+// | code | direction | increments if | beyond the largest number |
+// |---|---|---|---|
+// | 0 | nearest, ties to even | round & (sticky or last) | infinity |
+// | 1 | toward zero | never | largest number |
+// | 2 | down | inexact & negative | infinity if negative, else largest number |
+// | 3 | up | inexact & positive | infinity if positive, else largest number |
+// | 4 | nearest, ties away | round | infinity |
+//
+// Codes 5 to 7 are reserved and round toward zero.
+module ray_box_rounder (
     input  wire        sign_i,
     input  wire [9:0]  exponent_i,
     input  wire [25:0] significand_i,
@@ -264,7 +295,9 @@ module rounder (
 );
 
     // Logic
+    // Direction.
     wire leading = significand_i[25];
+    // Packing and increment.
     wire [25:0] fraction_1 = {2'd0, significand_i[25:2]};
     wire increment = significand_i[1] & (significand_i[0] | significand_i[2]);
     wire [25:0] fraction = fraction_1 & 26'h7fffff;
@@ -272,6 +305,7 @@ module rounder (
     wire [31:0] field = {field_2[8:0], 23'd0};
     wire [31:0] encoded = field | {6'd0, fraction};
     wire [31:0] magnitude_2 = increment ? (encoded + 32'd1) : encoded;
+    // Results outside the normal range.
     wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
     wire [31:0] magnitude_3 = overflow ? 32'h7f800000 : magnitude_2;
     wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
@@ -285,7 +319,7 @@ module rounder (
     wire unused = &{1'b0, field_2[31:9]};
 endmodule
 
-// fp_add e8m23_t1
+// ray_box_fp_add_v1: fp_add e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant distance_0 = 8'h80
 //   constant distance_1 = 8'h40
@@ -306,8 +340,36 @@ endmodule
 //   tied input tag_i = 1'b0
 //   tied input subtract_i = 1'b1
 //   tied input rounding_i = 3'd0
-module fp_add_v1 (
+//
+// Floating-point addition and subtraction.
+//
+// Let `|a| >= |b|` (else swap), `d` the difference of their exponents. Both significands get three bits below the last
+// place; the smaller one is shifted right by `d`, a sticky bit standing for all that falls off, and added or
+// subtracted:
+//
+// ```text
+// sum = significand_a * 2^3 +- (significand_b * 2^3 >> d)
+// ```
+//
+// Three bits suffice: if `d >= 2`, a difference loses at most one leading bit, which leaves a round bit
+// and the sticky bit; if `d <= 1`, it is exact. The sum is then shifted left by `min(leading zeros, exponent)`: fully
+// normalised, or as far as the smallest exponent allows, so that a subnormal result is exact and needs no case of
+// its own.
+//
+// | cycle | work |
+// |---|---|
+// | 1 | unpack, order by magnitude, align, add or subtract |
+// | 2 | normalise, round |
+//
+// | corner case | result |
+// |---|---|
+// | NaN operand, or infinities whose difference is taken | canonical NaN |
+// | infinity and anything else | that infinity |
+// | x + (-x) for finite x | +0, or -0 if rounding down |
+// | zeros of equal sign | that zero |
+module ray_box_fp_add_v1 (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire [31:0] a_i,
@@ -317,15 +379,15 @@ module fp_add_v1 (
 );
 
     // Registers
-    reg valid_1 = 1'b0;
-    reg nan = 1'b0;
-    reg infinity = 1'b0;
-    reg sign = 1'b0;
-    reg zero_sign = 1'b0;
-    reg [7:0] exponent = 8'd0;
-    reg [27:0] sum = 28'd0;
-    reg valid_2 = 1'b0;
-    reg [31:0] result = 32'd0;
+    reg valid_1;
+    reg nan;
+    reg infinity;
+    reg sign;
+    reg zero_sign;
+    reg [7:0] exponent;
+    reg [27:0] sum;
+    reg valid_2;
+    reg [31:0] result;
 
     // Outputs of instances
     wire b_sign_o;
@@ -342,6 +404,7 @@ module fp_add_v1 (
     wire [31:0] rounder_result_o;
 
     // Logic
+    // Cycle 1: order the operands by magnitude.
     wire sign_b = ~b_sign_o;
     wire differ = a_sign_o ^ sign_b;
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -352,46 +415,57 @@ module fp_add_v1 (
     wire [7:0] low_exponent = swap ? a_exponent_o : b_exponent_o;
     wire [23:0] high_significand = swap ? b_significand_o : a_significand_o;
     wire [23:0] low_significand = swap ? a_significand_o : b_significand_o;
+    // Align and add.
     wire [27:0] high = {1'b0, high_significand, 3'd0};
     wire [27:0] total_1 = high + align_result_o;
     wire [27:0] total = differ ? (high - align_result_o) : total_1;
-    wire n56 = (sum < 28'h1000) & (exponent >= 8'h10);
-    wire [7:0] budget_2 = n56 ? (exponent - 8'h10) : exponent;
-    wire [27:0] normal_2 = n56 ? {sum[11:0], 16'd0} : sum;
-    wire n67 = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
-    wire [7:0] budget_3 = n67 ? (budget_2 - 8'd8) : budget_2;
-    wire [27:0] normal_3 = n67 ? {normal_2[19:0], 8'd0} : normal_2;
-    wire n78 = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
-    wire [7:0] budget_4 = n78 ? (budget_3 - 8'd4) : budget_3;
-    wire [27:0] normal_4 = n78 ? {normal_3[23:0], 4'd0} : normal_3;
-    wire n89 = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
-    wire [7:0] budget_5 = n89 ? (budget_4 - 8'd2) : budget_4;
-    wire [27:0] normal_5 = n89 ? {normal_4[25:0], 2'd0} : normal_4;
-    wire n100 = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
-    wire [7:0] budget = n100 ? (budget_5 - 8'd1) : budget_5;
-    wire [27:0] normal = n100 ? {normal_5[26:0], 1'b0} : normal_5;
+    wire normal_2_if = (sum < 28'h1000) & (exponent >= 8'h10);
+    // Cycle 2: normalise as far as the exponent allows.
+    wire [7:0] budget_2 = normal_2_if ? (exponent - 8'h10) : exponent;
+    wire [27:0] normal_2 = normal_2_if ? {sum[11:0], 16'd0} : sum;
+    wire normal_3_if = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
+    wire [7:0] budget_3 = normal_3_if ? (budget_2 - 8'd8) : budget_2;
+    wire [27:0] normal_3 = normal_3_if ? {normal_2[19:0], 8'd0} : normal_2;
+    wire normal_4_if = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
+    wire [7:0] budget_4 = normal_4_if ? (budget_3 - 8'd4) : budget_3;
+    wire [27:0] normal_4 = normal_4_if ? {normal_3[23:0], 4'd0} : normal_3;
+    wire normal_5_if = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
+    wire [7:0] budget_5 = normal_5_if ? (budget_4 - 8'd2) : budget_4;
+    wire [27:0] normal_5 = normal_5_if ? {normal_4[25:0], 2'd0} : normal_4;
+    wire normal_if = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
+    wire [7:0] budget = normal_if ? (budget_5 - 8'd1) : budget_5;
+    wire [27:0] normal = normal_if ? {normal_5[26:0], 1'b0} : normal_5;
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
+    // Round.
     wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
+    always @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+            valid_1 <= 1'b0;
+            valid_2 <= 1'b0;
+        end else if (en_i) begin
+            valid_1 <= valid_i;
+            valid_2 <= valid_1;
+        end
+    end
     always @(posedge clk_i) begin
         if (en_i) begin
-            valid_1 <= valid_i;
             nan <= (a_nan_o | b_nan_o) | ((a_infinity_o & b_infinity_o) & differ);
             infinity <= a_infinity_o | b_infinity_o;
             sign <= high_sign;
             zero_sign <= ~differ & high_sign;
             exponent <= high_exponent;
             sum <= total;
-            valid_2 <= valid_1;
             result <= rounder_result_o;
         end
     end
 
     // Instances
-    fp_unpack a (
+    // Cycle 1: order the operands by magnitude.
+    ray_box_fp_unpack a (
         .word_i        (a_i),
         .sign_o        (a_sign_o),
         .exponent_o    (a_exponent_o),
@@ -399,7 +473,7 @@ module fp_add_v1 (
         .nan_o         (a_nan_o),
         .infinity_o    (a_infinity_o)
     );
-    fp_unpack b (
+    ray_box_fp_unpack b (
         .word_i        (b_i),
         .sign_o        (b_sign_o),
         .exponent_o    (b_exponent_o),
@@ -407,12 +481,14 @@ module fp_add_v1 (
         .nan_o         (b_nan_o),
         .infinity_o    (b_infinity_o)
     );
-    sticky_shift_v1 align (
+    // Align and add.
+    ray_box_sticky_shift_v1 align (
         .value_i  ({1'b0, low_significand, 3'd0}),
         .amount_i (high_exponent - low_exponent),
         .result_o (align_result_o)
     );
-    rounder rounder (
+    // Round.
+    ray_box_rounder rounder (
         .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
@@ -429,7 +505,7 @@ module fp_add_v1 (
     wire unused = &{1'b0, raw_significand[27:26]};
 endmodule
 
-// fp_add e8m23_t1
+// ray_box_fp_add_v2: fp_add e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant distance_0 = 8'h80
 //   constant distance_1 = 8'h40
@@ -450,7 +526,7 @@ endmodule
 //   tied input tag_i = 1'b0
 //   tied input subtract_i = 1'b1
 //   tied input rounding_i = 3'd0
-module fp_add_v2 (
+module ray_box_fp_add_v2 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] a_i,
@@ -459,13 +535,13 @@ module fp_add_v2 (
 );
 
     // Registers
-    reg nan = 1'b0;
-    reg infinity = 1'b0;
-    reg sign = 1'b0;
-    reg zero_sign = 1'b0;
-    reg [7:0] exponent = 8'd0;
-    reg [27:0] sum = 28'd0;
-    reg [31:0] result = 32'd0;
+    reg nan;
+    reg infinity;
+    reg sign;
+    reg zero_sign;
+    reg [7:0] exponent;
+    reg [27:0] sum;
+    reg [31:0] result;
 
     // Outputs of instances
     wire b_sign_o;
@@ -482,6 +558,7 @@ module fp_add_v2 (
     wire [31:0] rounder_result_o;
 
     // Logic
+    // Cycle 1: order the operands by magnitude.
     wire sign_b = ~b_sign_o;
     wire differ = a_sign_o ^ sign_b;
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -492,27 +569,30 @@ module fp_add_v2 (
     wire [7:0] low_exponent = swap ? a_exponent_o : b_exponent_o;
     wire [23:0] high_significand = swap ? b_significand_o : a_significand_o;
     wire [23:0] low_significand = swap ? a_significand_o : b_significand_o;
+    // Align and add.
     wire [27:0] high = {1'b0, high_significand, 3'd0};
     wire [27:0] total_1 = high + align_result_o;
     wire [27:0] total = differ ? (high - align_result_o) : total_1;
-    wire n53 = (sum < 28'h1000) & (exponent >= 8'h10);
-    wire [7:0] budget_2 = n53 ? (exponent - 8'h10) : exponent;
-    wire [27:0] normal_2 = n53 ? {sum[11:0], 16'd0} : sum;
-    wire n64 = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
-    wire [7:0] budget_3 = n64 ? (budget_2 - 8'd8) : budget_2;
-    wire [27:0] normal_3 = n64 ? {normal_2[19:0], 8'd0} : normal_2;
-    wire n75 = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
-    wire [7:0] budget_4 = n75 ? (budget_3 - 8'd4) : budget_3;
-    wire [27:0] normal_4 = n75 ? {normal_3[23:0], 4'd0} : normal_3;
-    wire n86 = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
-    wire [7:0] budget_5 = n86 ? (budget_4 - 8'd2) : budget_4;
-    wire [27:0] normal_5 = n86 ? {normal_4[25:0], 2'd0} : normal_4;
-    wire n97 = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
-    wire [7:0] budget = n97 ? (budget_5 - 8'd1) : budget_5;
-    wire [27:0] normal = n97 ? {normal_5[26:0], 1'b0} : normal_5;
+    wire normal_2_if = (sum < 28'h1000) & (exponent >= 8'h10);
+    // Cycle 2: normalise as far as the exponent allows.
+    wire [7:0] budget_2 = normal_2_if ? (exponent - 8'h10) : exponent;
+    wire [27:0] normal_2 = normal_2_if ? {sum[11:0], 16'd0} : sum;
+    wire normal_3_if = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
+    wire [7:0] budget_3 = normal_3_if ? (budget_2 - 8'd8) : budget_2;
+    wire [27:0] normal_3 = normal_3_if ? {normal_2[19:0], 8'd0} : normal_2;
+    wire normal_4_if = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
+    wire [7:0] budget_4 = normal_4_if ? (budget_3 - 8'd4) : budget_3;
+    wire [27:0] normal_4 = normal_4_if ? {normal_3[23:0], 4'd0} : normal_3;
+    wire normal_5_if = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
+    wire [7:0] budget_5 = normal_5_if ? (budget_4 - 8'd2) : budget_4;
+    wire [27:0] normal_5 = normal_5_if ? {normal_4[25:0], 2'd0} : normal_4;
+    wire normal_if = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
+    wire [7:0] budget = normal_if ? (budget_5 - 8'd1) : budget_5;
+    wire [27:0] normal = normal_if ? {normal_5[26:0], 1'b0} : normal_5;
     wire [9:0] raw_exponent = {2'd0, budget};
     wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
     wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
+    // Round.
     wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
 
     // Next state
@@ -529,7 +609,8 @@ module fp_add_v2 (
     end
 
     // Instances
-    fp_unpack a (
+    // Cycle 1: order the operands by magnitude.
+    ray_box_fp_unpack a (
         .word_i        (a_i),
         .sign_o        (a_sign_o),
         .exponent_o    (a_exponent_o),
@@ -537,7 +618,7 @@ module fp_add_v2 (
         .nan_o         (a_nan_o),
         .infinity_o    (a_infinity_o)
     );
-    fp_unpack b (
+    ray_box_fp_unpack b (
         .word_i        (b_i),
         .sign_o        (b_sign_o),
         .exponent_o    (b_exponent_o),
@@ -545,12 +626,14 @@ module fp_add_v2 (
         .nan_o         (b_nan_o),
         .infinity_o    (b_infinity_o)
     );
-    sticky_shift_v1 align (
+    // Align and add.
+    ray_box_sticky_shift_v1 align (
         .value_i  ({1'b0, low_significand, 3'd0}),
         .amount_i (high_exponent - low_exponent),
         .result_o (align_result_o)
     );
-    rounder rounder (
+    // Round.
+    ray_box_rounder rounder (
         .sign_i        (result_sign),
         .exponent_i    (raw_exponent + 10'd1),
         .significand_i (raw_significand[25:0]),
@@ -566,8 +649,16 @@ module fp_add_v2 (
     wire unused = &{1'b0, raw_significand[27:26]};
 endmodule
 
-// significand_product w24
-module significand_product (
+// ray_box_significand_product: significand_product w24
+//
+// The multiplier array: product of two significands.
+//
+// With `a = a_h * 2^16 + a_l` and `b` likewise, `a * b = a_h b_h * 2^32 + (a_h b_l + a_l b_h) * 2^16 + a_l b_l`; each
+// partial product is one of `rust-hdl`'s 16 x 16 bits. A significand of 16 bits or fewer has no high part, and
+// three of the four products fold away.
+//
+// A leaf module of its own, so that a proof can treat it as a black box and synthesis can choose its multiplier.
+module ray_box_significand_product (
     input  wire [23:0] a_i,
     input  wire [23:0] b_i,
     output wire [47:0] product_o
@@ -582,6 +673,7 @@ module significand_product (
     wire [31:0] cross_0 = {16'd0, a_0} * {16'd0, b_1};
     wire [31:0] cross_1 = {16'd0, a_1} * {16'd0, b_0};
     wire [31:0] high = {16'd0, a_1} * {16'd0, b_1};
+    // Each cross product has at most 16 + 8 bits, so that their sum fits.
     wire [31:0] middle = cross_0 + cross_1;
     wire [47:0] middle_wide = {middle, 16'd0};
     wire [47:0] high_wide = {high[15:0], 32'd0};
@@ -594,7 +686,7 @@ module significand_product (
     wire unused = &{1'b0, high[31:16]};
 endmodule
 
-// leading_zeros w24_x10
+// ray_box_leading_zeros: leading_zeros w24_x10
 //   constant distance_0 = 10'h10
 //   constant distance_1 = 10'd8
 //   constant distance_2 = 10'd4
@@ -605,31 +697,33 @@ endmodule
 //   constant limit_2 = 24'h100000
 //   constant limit_3 = 24'h400000
 //   constant limit_4 = 24'h800000
-module leading_zeros (
+//
+// Counts the zeros above the leading one.
+module ray_box_leading_zeros (
     input  wire [23:0] value_i,
     output wire [9:0]  count_o
 );
 
     // Logic
-    wire n3 = value_i < 24'h100;
-    wire [23:0] value_2 = n3 ? {value_i[7:0], 16'd0} : value_i;
-    wire [9:0] count_2 = n3 ? 10'h10 : 10'd0;
-    wire n11 = value_2 < 24'h10000;
-    wire [23:0] value_3 = n11 ? {value_2[15:0], 8'd0} : value_2;
-    wire [9:0] count_3 = n11 ? (count_2 + 10'd8) : count_2;
-    wire n20 = value_3 < 24'h100000;
-    wire [23:0] value_4 = n20 ? {value_3[19:0], 4'd0} : value_3;
-    wire [9:0] count_4 = n20 ? (count_3 + 10'd4) : count_3;
-    wire n29 = value_4 < 24'h400000;
-    wire [23:0] value_5 = n29 ? {value_4[21:0], 2'd0} : value_4;
-    wire [9:0] count_5 = n29 ? (count_4 + 10'd2) : count_4;
+    wire count_2_if = value_i < 24'h100;
+    wire [23:0] value_2 = count_2_if ? {value_i[7:0], 16'd0} : value_i;
+    wire [9:0] count_2 = count_2_if ? 10'h10 : 10'd0;
+    wire count_3_if = value_2 < 24'h10000;
+    wire [23:0] value_3 = count_3_if ? {value_2[15:0], 8'd0} : value_2;
+    wire [9:0] count_3 = count_3_if ? (count_2 + 10'd8) : count_2;
+    wire count_4_if = value_3 < 24'h100000;
+    wire [23:0] value_4 = count_4_if ? {value_3[19:0], 4'd0} : value_3;
+    wire [9:0] count_4 = count_4_if ? (count_3 + 10'd4) : count_3;
+    wire count_5_if = value_4 < 24'h400000;
+    wire [23:0] value_5 = count_5_if ? {value_4[21:0], 2'd0} : value_4;
+    wire [9:0] count_5 = count_5_if ? (count_4 + 10'd2) : count_4;
     wire [9:0] count = (value_5 < 24'h800000) ? (count_5 + 10'd1) : count_5;
 
     // Outputs
     assign count_o = count;
 endmodule
 
-// sticky_shift w26_a8
+// ray_box_sticky_shift_v2: sticky_shift w26_a8
 //   constant distance_0 = 8'd1
 //   constant distance_1 = 8'd2
 //   constant distance_2 = 8'd4
@@ -646,7 +740,7 @@ endmodule
 //   constant lost_mask_5 = 26'h3ffffff
 //   constant lost_mask_6 = 26'h3ffffff
 //   constant lost_mask_7 = 26'h3ffffff
-module sticky_shift_v2 (
+module ray_box_sticky_shift_v2 (
     input  wire [25:0] value_i,
     input  wire [7:0]  amount_i,
     output wire [25:0] result_o
@@ -680,7 +774,7 @@ module sticky_shift_v2 (
     assign result_o = value;
 endmodule
 
-// fp_mul e8m23_t1
+// ray_box_fp_mul_v1: fp_mul e8m23_t1
 //   constant bias = 10'h7e
 //   constant sign_index = 8'd9
 //   constant top_index = 8'h2f
@@ -688,8 +782,34 @@ endmodule
 //   constant low_mask = 48'h3fffff
 //   tied input tag_i = 1'b0
 //   tied input rounding_i = 3'd0
-module fp_mul_v1 (
+//
+// Floating-point multiplication.
+//
+// The product of two `S`-bit significands has `P = 2 S` bits and is exact. If its top bit is to be the result's
+// leading bit, the biased exponent is
+//
+// ```text
+// e = exponent_a + exponent_b - bias + 1
+// ```
+//
+// A product of normal numbers has its leading one in one of the top two bits; each leading zero of a subnormal operand
+// moves it down by one more. While the array multiplies, the zeros `z` of both operands are counted and the shift is
+// fixed: left by `min(z, e - 1)`, or right by `1 - e` if `e < 1`, where the result is subnormal. The last left shift, by
+// at most one, looks at the product itself.
+//
+// | cycle | work |
+// |---|---|
+// | 1 | unpack, multiply; count zeros, exponent and shift amounts |
+// | 2 | shift, round |
+//
+// | corner case | result |
+// |---|---|
+// | NaN operand, or 0 * infinity | canonical NaN |
+// | infinity and a number that is not zero | infinity of the product's sign |
+// | zero and a number | zero of the product's sign |
+module ray_box_fp_mul_v1 (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire [31:0] a_i,
@@ -699,16 +819,16 @@ module fp_mul_v1 (
 );
 
     // Registers
-    reg valid_1 = 1'b0;
-    reg nan = 1'b0;
-    reg infinity = 1'b0;
-    reg sign = 1'b0;
-    reg [9:0] exponent = 10'd0;
-    reg [9:0] left = 10'd0;
-    reg [7:0] right = 8'd0;
-    reg [47:0] product = 48'd0;
-    reg valid_2 = 1'b0;
-    reg [31:0] result = 32'd0;
+    reg valid_1;
+    reg nan;
+    reg infinity;
+    reg sign;
+    reg [9:0] exponent;
+    reg [9:0] left;
+    reg [7:0] right;
+    reg [47:0] product;
+    reg valid_2;
+    reg [31:0] result;
 
     // Outputs of instances
     wire [23:0] a_significand_o;
@@ -728,8 +848,10 @@ module fp_mul_v1 (
     wire [31:0] rounder_result_o;
 
     // Logic
+    // Cycle 1: multiply.
     wire zero_factor = ~(|a_significand_o) | ~(|b_significand_o);
     wire infinite_factor = a_infinity_o | b_infinity_o;
+    // Meanwhile, the exponent of the product's top bit, and how far the product has to be shifted.
     wire [9:0] zeros = zeros_a_count_o + zeros_b_count_o;
     wire [9:0] wide_a = {2'd0, a_exponent_o};
     wire [9:0] wide_b = {2'd0, b_exponent_o};
@@ -743,18 +865,27 @@ module fp_mul_v1 (
     wire [9:0] left_amount = tiny ? 10'd0 : left_amount_2;
     wire [7:0] right_amount = tiny ? shortfall[7:0] : 8'd0;
     wire [9:0] start_exponent = tiny ? 10'd1 : start_exponent_1;
+    // Cycle 2: shift.
     wire [47:0] normal_1 = product << left;
-    wire n64 = ~normal_1[47] & (exponent != 10'd1);
-    wire [47:0] normal = n64 ? {normal_1[46:0], 1'b0} : normal_1;
-    wire [9:0] raw_exponent = n64 ? (exponent - 10'd1) : exponent;
+    wire raw_exponent_if = ~normal_1[47] & (exponent != 10'd1);
+    wire [47:0] normal = raw_exponent_if ? {normal_1[46:0], 1'b0} : normal_1;
+    wire [9:0] raw_exponent = raw_exponent_if ? (exponent - 10'd1) : exponent;
     wire [25:0] raw_significand_1 = normal[47:22];
     wire [47:0] low = normal & 48'h3fffff;
     wire [25:0] raw_significand = (|low) ? (raw_significand_1 | 26'd1) : raw_significand_1;
 
     // Next state
+    always @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+            valid_1 <= 1'b0;
+            valid_2 <= 1'b0;
+        end else if (en_i) begin
+            valid_1 <= valid_i;
+            valid_2 <= valid_1;
+        end
+    end
     always @(posedge clk_i) begin
         if (en_i) begin
-            valid_1 <= valid_i;
             nan <= (a_nan_o | b_nan_o) | (infinite_factor & zero_factor);
             infinity <= infinite_factor;
             sign <= a_sign_o ^ b_sign_o;
@@ -762,13 +893,13 @@ module fp_mul_v1 (
             left <= left_amount;
             right <= right_amount;
             product <= array_product_o;
-            valid_2 <= valid_1;
             result <= rounder_result_o;
         end
     end
 
     // Instances
-    fp_unpack a (
+    // Cycle 1: multiply.
+    ray_box_fp_unpack a (
         .word_i        (a_i),
         .sign_o        (a_sign_o),
         .exponent_o    (a_exponent_o),
@@ -776,7 +907,7 @@ module fp_mul_v1 (
         .nan_o         (a_nan_o),
         .infinity_o    (a_infinity_o)
     );
-    fp_unpack b (
+    ray_box_fp_unpack b (
         .word_i        (b_i),
         .sign_o        (b_sign_o),
         .exponent_o    (b_exponent_o),
@@ -784,25 +915,28 @@ module fp_mul_v1 (
         .nan_o         (b_nan_o),
         .infinity_o    (b_infinity_o)
     );
-    significand_product array (
+    ray_box_significand_product array (
         .a_i       (a_significand_o),
         .b_i       (b_significand_o),
         .product_o (array_product_o)
     );
-    leading_zeros zeros_a (
+    // Meanwhile, the exponent of the product's top bit, and how far the product has to be shifted.
+    ray_box_leading_zeros zeros_a (
         .value_i (a_significand_o),
         .count_o (zeros_a_count_o)
     );
-    leading_zeros zeros_b (
+    ray_box_leading_zeros zeros_b (
         .value_i (b_significand_o),
         .count_o (zeros_b_count_o)
     );
-    sticky_shift_v2 denormalise (
+    // Cycle 2: shift.
+    ray_box_sticky_shift_v2 denormalise (
         .value_i  (raw_significand),
         .amount_i (right),
         .result_o (denormalise_result_o)
     );
-    rounder rounder (
+    // Round.
+    ray_box_rounder rounder (
         .sign_i        (sign),
         .exponent_i    (raw_exponent),
         .significand_i (denormalise_result_o),
@@ -819,7 +953,7 @@ module fp_mul_v1 (
     wire unused = &{1'b0, shortfall[9:8]};
 endmodule
 
-// fp_mul e8m23_t1
+// ray_box_fp_mul_v2: fp_mul e8m23_t1
 //   constant bias = 10'h7e
 //   constant sign_index = 8'd9
 //   constant top_index = 8'h2f
@@ -827,7 +961,7 @@ endmodule
 //   constant low_mask = 48'h3fffff
 //   tied input tag_i = 1'b0
 //   tied input rounding_i = 3'd0
-module fp_mul_v2 (
+module ray_box_fp_mul_v2 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] a_i,
@@ -836,14 +970,14 @@ module fp_mul_v2 (
 );
 
     // Registers
-    reg nan = 1'b0;
-    reg infinity = 1'b0;
-    reg sign = 1'b0;
-    reg [9:0] exponent = 10'd0;
-    reg [9:0] left = 10'd0;
-    reg [7:0] right = 8'd0;
-    reg [47:0] product = 48'd0;
-    reg [31:0] result = 32'd0;
+    reg nan;
+    reg infinity;
+    reg sign;
+    reg [9:0] exponent;
+    reg [9:0] left;
+    reg [7:0] right;
+    reg [47:0] product;
+    reg [31:0] result;
 
     // Outputs of instances
     wire [23:0] a_significand_o;
@@ -863,8 +997,10 @@ module fp_mul_v2 (
     wire [31:0] rounder_result_o;
 
     // Logic
+    // Cycle 1: multiply.
     wire zero_factor = ~(|a_significand_o) | ~(|b_significand_o);
     wire infinite_factor = a_infinity_o | b_infinity_o;
+    // Meanwhile, the exponent of the product's top bit, and how far the product has to be shifted.
     wire [9:0] zeros = zeros_a_count_o + zeros_b_count_o;
     wire [9:0] wide_a = {2'd0, a_exponent_o};
     wire [9:0] wide_b = {2'd0, b_exponent_o};
@@ -878,10 +1014,11 @@ module fp_mul_v2 (
     wire [9:0] left_amount = tiny ? 10'd0 : left_amount_2;
     wire [7:0] right_amount = tiny ? shortfall[7:0] : 8'd0;
     wire [9:0] start_exponent = tiny ? 10'd1 : start_exponent_1;
+    // Cycle 2: shift.
     wire [47:0] normal_1 = product << left;
-    wire n61 = ~normal_1[47] & (exponent != 10'd1);
-    wire [47:0] normal = n61 ? {normal_1[46:0], 1'b0} : normal_1;
-    wire [9:0] raw_exponent = n61 ? (exponent - 10'd1) : exponent;
+    wire raw_exponent_if = ~normal_1[47] & (exponent != 10'd1);
+    wire [47:0] normal = raw_exponent_if ? {normal_1[46:0], 1'b0} : normal_1;
+    wire [9:0] raw_exponent = raw_exponent_if ? (exponent - 10'd1) : exponent;
     wire [25:0] raw_significand_1 = normal[47:22];
     wire [47:0] low = normal & 48'h3fffff;
     wire [25:0] raw_significand = (|low) ? (raw_significand_1 | 26'd1) : raw_significand_1;
@@ -901,7 +1038,8 @@ module fp_mul_v2 (
     end
 
     // Instances
-    fp_unpack a (
+    // Cycle 1: multiply.
+    ray_box_fp_unpack a (
         .word_i        (a_i),
         .sign_o        (a_sign_o),
         .exponent_o    (a_exponent_o),
@@ -909,7 +1047,7 @@ module fp_mul_v2 (
         .nan_o         (a_nan_o),
         .infinity_o    (a_infinity_o)
     );
-    fp_unpack b (
+    ray_box_fp_unpack b (
         .word_i        (b_i),
         .sign_o        (b_sign_o),
         .exponent_o    (b_exponent_o),
@@ -917,25 +1055,28 @@ module fp_mul_v2 (
         .nan_o         (b_nan_o),
         .infinity_o    (b_infinity_o)
     );
-    significand_product array (
+    ray_box_significand_product array (
         .a_i       (a_significand_o),
         .b_i       (b_significand_o),
         .product_o (array_product_o)
     );
-    leading_zeros zeros_a (
+    // Meanwhile, the exponent of the product's top bit, and how far the product has to be shifted.
+    ray_box_leading_zeros zeros_a (
         .value_i (a_significand_o),
         .count_o (zeros_a_count_o)
     );
-    leading_zeros zeros_b (
+    ray_box_leading_zeros zeros_b (
         .value_i (b_significand_o),
         .count_o (zeros_b_count_o)
     );
-    sticky_shift_v2 denormalise (
+    // Cycle 2: shift.
+    ray_box_sticky_shift_v2 denormalise (
         .value_i  (raw_significand),
         .amount_i (right),
         .result_o (denormalise_result_o)
     );
-    rounder rounder (
+    // Round.
+    ray_box_rounder rounder (
         .sign_i        (sign),
         .exponent_i    (raw_exponent),
         .significand_i (denormalise_result_o),
@@ -951,15 +1092,31 @@ module fp_mul_v2 (
     wire unused = &{1'b0, shortfall[9:8]};
 endmodule
 
-// fp_min_max e8m23_t1
+// ray_box_fp_min_max_v1: fp_min_max e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
 //   tied input tag_i = 1'b0
 //   tied input maximum_i = 1'b0
 //   tied input propagate_nan_i = 1'b1
-module fp_min_max_v1 (
+//
+// Floating-point minimum and maximum, with both treatments of NaN that IEEE 754-2019 (section 9.6) defines.
+//
+// Numbers are ordered by their words: with `u` the unsigned comparison `a < b` of the words, `a` orders before `b` if
+// `u` xor `(sign_a | sign_b)` (see `FpCmp`), and -0 thereby orders before +0. Where the words are equal, it
+// does not matter which operand is chosen.
+//
+// | a | b | `propagate_nan_i` = 0 | `propagate_nan_i` = 1 |
+// |---|---|---|---|
+// | number | number | the lesser (greater) | the lesser (greater) |
+// | number | NaN | a | NaN |
+// | NaN | number | b | NaN |
+// | NaN | NaN | NaN | NaN |
+//
+// Every NaN result is canonical.
+module ray_box_fp_min_max_v1 (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire [31:0] a_i,
@@ -969,8 +1126,8 @@ module fp_min_max_v1 (
 );
 
     // Registers
-    reg valid = 1'b0;
-    reg [31:0] result = 32'd0;
+    reg valid;
+    reg [31:0] result;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -985,9 +1142,15 @@ module fp_min_max_v1 (
     wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
 
     // Next state
+    always @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+            valid <= 1'b0;
+        end else if (en_i) begin
+            valid <= valid_i;
+        end
+    end
     always @(posedge clk_i) begin
         if (en_i) begin
-            valid <= valid_i;
             result <= chosen;
         end
     end
@@ -997,14 +1160,14 @@ module fp_min_max_v1 (
     assign result_o = result;
 endmodule
 
-// fp_min_max e8m23_t1
+// ray_box_fp_min_max_v2: fp_min_max e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
 //   tied input tag_i = 1'b0
 //   tied input maximum_i = 1'b0
 //   tied input propagate_nan_i = 1'b1
-module fp_min_max_v2 (
+module ray_box_fp_min_max_v2 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] a_i,
@@ -1013,7 +1176,7 @@ module fp_min_max_v2 (
 );
 
     // Registers
-    reg [31:0] result = 32'd0;
+    reg [31:0] result;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -1038,14 +1201,14 @@ module fp_min_max_v2 (
     assign result_o = result;
 endmodule
 
-// fp_min_max e8m23_t1
+// ray_box_fp_min_max_v3: fp_min_max e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
 //   tied input tag_i = 1'b0
 //   tied input maximum_i = 1'b1
 //   tied input propagate_nan_i = 1'b1
-module fp_min_max_v3 (
+module ray_box_fp_min_max_v3 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] a_i,
@@ -1054,7 +1217,7 @@ module fp_min_max_v3 (
 );
 
     // Registers
-    reg [31:0] result = 32'd0;
+    reg [31:0] result;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -1064,8 +1227,8 @@ module fp_min_max_v3 (
     wire nan = (nan_a & nan_b) | (nan_a | nan_b);
     wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
     wire below = a_i < b_i;
-    wire n19 = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
-    wire choose_a = nan_b | n19;
+    wire choose_a_part = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
+    wire choose_a = nan_b | choose_a_part;
     wire [31:0] chosen_2 = choose_a ? a_i : b_i;
     wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
 
@@ -1080,15 +1243,16 @@ module fp_min_max_v3 (
     assign result_o = result;
 endmodule
 
-// fp_min_max e8m23_t1
+// ray_box_fp_min_max_v4: fp_min_max e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
 //   tied input tag_i = 1'b0
 //   tied input maximum_i = 1'b1
 //   tied input propagate_nan_i = 1'b0
-module fp_min_max_v4 (
+module ray_box_fp_min_max_v4 (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire [31:0] a_i,
@@ -1098,8 +1262,8 @@ module fp_min_max_v4 (
 );
 
     // Registers
-    reg valid = 1'b0;
-    reg [31:0] result = 32'd0;
+    reg valid;
+    reg [31:0] result;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -1109,15 +1273,21 @@ module fp_min_max_v4 (
     wire nan = nan_a & nan_b;
     wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
     wire below = a_i < b_i;
-    wire n18 = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
-    wire choose_a = nan_b | n18;
+    wire choose_a_part = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
+    wire choose_a = nan_b | choose_a_part;
     wire [31:0] chosen_2 = choose_a ? a_i : b_i;
     wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
 
     // Next state
+    always @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+            valid <= 1'b0;
+        end else if (en_i) begin
+            valid <= valid_i;
+        end
+    end
     always @(posedge clk_i) begin
         if (en_i) begin
-            valid <= valid_i;
             result <= chosen;
         end
     end
@@ -1127,14 +1297,14 @@ module fp_min_max_v4 (
     assign result_o = result;
 endmodule
 
-// fp_min_max e8m23_t1
+// ray_box_fp_min_max_v5: fp_min_max e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
 //   tied input tag_i = 1'b0
 //   tied input maximum_i = 1'b1
 //   tied input propagate_nan_i = 1'b0
-module fp_min_max_v5 (
+module ray_box_fp_min_max_v5 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] a_i,
@@ -1143,7 +1313,7 @@ module fp_min_max_v5 (
 );
 
     // Registers
-    reg [31:0] result = 32'd0;
+    reg [31:0] result;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -1153,8 +1323,8 @@ module fp_min_max_v5 (
     wire nan = nan_a & nan_b;
     wire any_negative = (magnitude_a != a_i) | (magnitude_b != b_i);
     wire below = a_i < b_i;
-    wire n17 = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
-    wire choose_a = nan_b | n17;
+    wire choose_a_part = (magnitude_a <= 32'h7f800000) & ~(below ^ any_negative);
+    wire choose_a = nan_b | choose_a_part;
     wire [31:0] chosen_2 = choose_a ? a_i : b_i;
     wire [31:0] chosen = nan ? 32'h7fc00000 : chosen_2;
 
@@ -1169,14 +1339,14 @@ module fp_min_max_v5 (
     assign result_o = result;
 endmodule
 
-// fp_min_max e8m23_t1
+// ray_box_fp_min_max_v6: fp_min_max e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
 //   tied input tag_i = 1'b0
 //   tied input maximum_i = 1'b0
 //   tied input propagate_nan_i = 1'b0
-module fp_min_max_v6 (
+module ray_box_fp_min_max_v6 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] a_i,
@@ -1185,7 +1355,7 @@ module fp_min_max_v6 (
 );
 
     // Registers
-    reg [31:0] result = 32'd0;
+    reg [31:0] result;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -1210,12 +1380,21 @@ module fp_min_max_v6 (
     assign result_o = result;
 endmodule
 
-// fp_cmp e8m23_t1
+// ray_box_fp_cmp_v1: fp_cmp e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   tied input tag_i = 1'b0
-module fp_cmp_v1 (
+//
+// Floating-point comparison.
+//
+// Sign-magnitude words compare like unsigned integers, except that a negative operand reverses the outcome. Let `u`
+// be `a < b` on the words as unsigned integers. If both signs are clear, `a < b` is `u`; if both are set, it is the
+// reverse, `!u` (for `a != b`); if only `a` is negative, its word is the larger one, so that `u = 0` and again `!u` is
+// right; if only `b` is negative, `u = 1`, and `!u` is right. Hence `a < b` is `u` xor `(sign_a | sign_b)` wherever the
+// operands differ.
+module ray_box_fp_cmp_v1 (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire [31:0] a_i,
@@ -1225,8 +1404,8 @@ module fp_cmp_v1 (
 );
 
     // Registers
-    reg valid = 1'b0;
-    reg le = 1'b0;
+    reg valid;
+    reg le;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -1239,9 +1418,15 @@ module fp_cmp_v1 (
     wire less = (below ^ any_negative) & ~equal;
 
     // Next state
+    always @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+            valid <= 1'b0;
+        end else if (en_i) begin
+            valid <= valid_i;
+        end
+    end
     always @(posedge clk_i) begin
         if (en_i) begin
-            valid <= valid_i;
             le <= ordered & (less | equal);
         end
     end
@@ -1251,11 +1436,11 @@ module fp_cmp_v1 (
     assign le_o = le;
 endmodule
 
-// fp_cmp e8m23_t1
+// ray_box_fp_cmp_v2: fp_cmp e8m23_t1
 //   constant magnitude_mask = 32'h7fffffff
 //   constant infinity = 32'h7f800000
 //   tied input tag_i = 1'b0
-module fp_cmp_v2 (
+module ray_box_fp_cmp_v2 (
     input  wire        clk_i,
     input  wire        en_i,
     input  wire [31:0] a_i,
@@ -1264,7 +1449,7 @@ module fp_cmp_v2 (
 );
 
     // Registers
-    reg lt = 1'b0;
+    reg lt;
 
     // Logic
     wire [31:0] magnitude_a = a_i & 32'h7fffffff;
@@ -1287,9 +1472,24 @@ module fp_cmp_v2 (
     assign lt_o = lt;
 endmodule
 
-// ray_box_fold e8m23_c2
+// ray_box_fold: ray_box_fold e8m23_c2
+//
+// Last four stages of the ray-box pipeline: intersects the three slabs with the ray's interval.
+//
+// | cycle | work | units |
+// |---|---|---|
+// | 5 | per axis `near = minimum(t_lo, t_hi)`, `far = maximum(t_lo, t_hi)`; a NaN propagates | 6 FPMIN/MAX |
+// | 6 | `max(near_x, near_y)`, `max(near_z, t_min)`, `min(far_x, far_y)`, `min(far_z, t_max)`; a NaN is dropped | 4 FPMIN/MAX |
+// | 7 | `entry`, `exit`: maximum and minimum of those | 2 FPMIN/MAX |
+// | 8 | `hit = entry <= exit`, and not `exit < t_min` | 2 FPCMP |
+//
+// A ray parallel to an axis that lies in one of its slab's planes has a NaN distance there; the whole axis then
+// constrains nothing. The second comparison is in the published inventory, where it is read as the test for a box
+// behind the ray's start. As `entry` is at least `t_min` unless that is NaN, it never changes the outcome, and `C = 1`
+// leaves it out with equal results.
 module ray_box_fold (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire [31:0] t_0_i,
@@ -1306,7 +1506,7 @@ module ray_box_fold (
 );
 
     // Registers
-    reg [31:0] t_entry = 32'd0;
+    reg [31:0] t_entry;
 
     // Outputs of instances
     wire axis_near_0_valid_o;
@@ -1330,6 +1530,7 @@ module ray_box_fold (
     wire accept_0_valid_o;
 
     // Logic
+    // Cycle 8: compare.
     wire hit = accept_0_le_o & ~accept_1_lt_o;
 
     // Next state
@@ -1340,8 +1541,10 @@ module ray_box_fold (
     end
 
     // Instances
-    fp_min_max_v1 axis_near_0 (
+    // Cycle 5: slabs.
+    ray_box_fp_min_max_v1 axis_near_0 (
         .clk_i    (clk_i),
+        .rst_ni   (rst_ni),
         .en_i     (en_i),
         .valid_i  (valid_i),
         .a_i      (t_0_i),
@@ -1349,43 +1552,45 @@ module ray_box_fold (
         .valid_o  (axis_near_0_valid_o),
         .result_o (axis_near_0_result_o)
     );
-    fp_min_max_v2 axis_near_1 (
+    ray_box_fp_min_max_v2 axis_near_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (t_1_i),
         .b_i      (t_4_i),
         .result_o (axis_near_1_result_o)
     );
-    fp_min_max_v2 axis_near_2 (
+    ray_box_fp_min_max_v2 axis_near_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (t_2_i),
         .b_i      (t_5_i),
         .result_o (axis_near_2_result_o)
     );
-    fp_min_max_v3 axis_far_0 (
+    ray_box_fp_min_max_v3 axis_far_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (t_0_i),
         .b_i      (t_3_i),
         .result_o (axis_far_0_result_o)
     );
-    fp_min_max_v3 axis_far_1 (
+    ray_box_fp_min_max_v3 axis_far_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (t_1_i),
         .b_i      (t_4_i),
         .result_o (axis_far_1_result_o)
     );
-    fp_min_max_v3 axis_far_2 (
+    ray_box_fp_min_max_v3 axis_far_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (t_2_i),
         .b_i      (t_5_i),
         .result_o (axis_far_2_result_o)
     );
-    fp_min_max_v4 entry_half_0 (
+    // Cycles 6 and 7: fold.
+    ray_box_fp_min_max_v4 entry_half_0 (
         .clk_i    (clk_i),
+        .rst_ni   (rst_ni),
         .en_i     (en_i),
         .valid_i  (axis_near_0_valid_o),
         .a_i      (axis_near_0_result_o),
@@ -1393,29 +1598,30 @@ module ray_box_fold (
         .valid_o  (entry_half_0_valid_o),
         .result_o (entry_half_0_result_o)
     );
-    fp_min_max_v5 entry_half_1 (
+    ray_box_fp_min_max_v5 entry_half_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (axis_near_2_result_o),
         .b_i      (t_min_i),
         .result_o (entry_half_1_result_o)
     );
-    fp_min_max_v6 exit_half_0 (
+    ray_box_fp_min_max_v6 exit_half_0 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (axis_far_0_result_o),
         .b_i      (axis_far_1_result_o),
         .result_o (exit_half_0_result_o)
     );
-    fp_min_max_v6 exit_half_1 (
+    ray_box_fp_min_max_v6 exit_half_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (axis_far_2_result_o),
         .b_i      (t_max_i),
         .result_o (exit_half_1_result_o)
     );
-    fp_min_max_v4 entry (
+    ray_box_fp_min_max_v4 entry (
         .clk_i    (clk_i),
+        .rst_ni   (rst_ni),
         .en_i     (en_i),
         .valid_i  (entry_half_0_valid_o),
         .a_i      (entry_half_0_result_o),
@@ -1423,21 +1629,23 @@ module ray_box_fold (
         .valid_o  (entry_valid_o),
         .result_o (entry_result_o)
     );
-    fp_min_max_v6 leave (
+    ray_box_fp_min_max_v6 leave (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (exit_half_0_result_o),
         .b_i      (exit_half_1_result_o),
         .result_o (leave_result_o)
     );
-    delay_v1 t_min_wait (
+    ray_box_delay_v1 t_min_wait (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (t_min_i),
         .q_o   (t_min_wait_q_o)
     );
-    fp_cmp_v1 accept_0 (
+    // Cycle 8: compare.
+    ray_box_fp_cmp_v1 accept_0 (
         .clk_i   (clk_i),
+        .rst_ni  (rst_ni),
         .en_i    (en_i),
         .valid_i (entry_valid_o),
         .a_i     (entry_result_o),
@@ -1445,7 +1653,7 @@ module ray_box_fold (
         .valid_o (accept_0_valid_o),
         .le_o    (accept_0_le_o)
     );
-    fp_cmp_v2 accept_1 (
+    ray_box_fp_cmp_v2 accept_1 (
         .clk_i (clk_i),
         .en_i  (en_i),
         .a_i   (leave_result_o),
@@ -1459,8 +1667,8 @@ module ray_box_fold (
     assign t_entry_o = t_entry;
 endmodule
 
-// delay w1_n8
-module delay_v3 (
+// ray_box_delay_v3: delay w1_n8
+module ray_box_delay_v3 (
     input  wire clk_i,
     input  wire en_i,
     input  wire d_i,
@@ -1468,14 +1676,14 @@ module delay_v3 (
 );
 
     // Registers
-    reg stage_0 = 1'b0;
-    reg stage_1 = 1'b0;
-    reg stage_2 = 1'b0;
-    reg stage_3 = 1'b0;
-    reg stage_4 = 1'b0;
-    reg stage_5 = 1'b0;
-    reg stage_6 = 1'b0;
-    reg stage_7 = 1'b0;
+    reg stage_0;
+    reg stage_1;
+    reg stage_2;
+    reg stage_3;
+    reg stage_4;
+    reg stage_5;
+    reg stage_6;
+    reg stage_7;
 
     // Next state
     always @(posedge clk_i) begin
@@ -1495,9 +1703,26 @@ module delay_v3 (
     assign q_o = stage_7;
 endmodule
 
-// ray_box e8m23_c2_t1
+// ray_box: ray_box e8m23_c2_t1
+//
+// The ray-box pipeline: one slab test per cycle.
+//
+// Each of a box's six planes is met at `t = (plane - origin[axis]) * inv[axis]`, with the reciprocal of its role (exit or
+// entry), every operation rounded to nearest even and none fused. The slabs are then intersected with the ray's
+// interval; the box is hit if the rest is not empty, bounds included.
+//
+// | cycle | work | units |
+// |---|---|---|
+// | 1, 2 | `plane - origin` | 6 FPADD |
+// | 3, 4 | `* inv` | 6 FPMUL |
+// | 5, 6, 7 | fold (see `RayBoxFold`) | 12 FPMIN/MAX |
+// | 8 | compare | 2 FPCMP |
+//
+// `C = 2` is the inventory of the ray-box unit that Lin, Vasiou, Yuksel, Kopta, Brunvand, "Hardware-Accelerated Dual-Split
+// Trees", HPG 2020, compare with; `C = 1` leaves out the redundant comparison.
 module ray_box (
     input  wire        clk_i,
+    input  wire        rst_ni,
     input  wire        en_i,
     input  wire        valid_i,
     input  wire        tag_i,
@@ -1573,8 +1798,10 @@ module ray_box (
         .t_min_o       (select_t_min_o),
         .t_max_o       (select_t_max_o)
     );
-    fp_add_v1 subtract_0 (
+    // Cycles 1 to 4: distances.
+    ray_box_fp_add_v1 subtract_0 (
         .clk_i    (clk_i),
+        .rst_ni   (rst_ni),
         .en_i     (en_i),
         .valid_i  (valid_i),
         .a_i      (box_min_x_i),
@@ -1582,43 +1809,44 @@ module ray_box (
         .valid_o  (subtract_0_valid_o),
         .result_o (subtract_0_result_o)
     );
-    fp_add_v2 subtract_1 (
+    ray_box_fp_add_v2 subtract_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (box_min_y_i),
         .b_i      (origin_y_i),
         .result_o (subtract_1_result_o)
     );
-    fp_add_v2 subtract_2 (
+    ray_box_fp_add_v2 subtract_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (box_min_z_i),
         .b_i      (origin_z_i),
         .result_o (subtract_2_result_o)
     );
-    fp_add_v2 subtract_3 (
+    ray_box_fp_add_v2 subtract_3 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (box_max_x_i),
         .b_i      (origin_x_i),
         .result_o (subtract_3_result_o)
     );
-    fp_add_v2 subtract_4 (
+    ray_box_fp_add_v2 subtract_4 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (box_max_y_i),
         .b_i      (origin_y_i),
         .result_o (subtract_4_result_o)
     );
-    fp_add_v2 subtract_5 (
+    ray_box_fp_add_v2 subtract_5 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (box_max_z_i),
         .b_i      (origin_z_i),
         .result_o (subtract_5_result_o)
     );
-    fp_mul_v1 multiply_0 (
+    ray_box_fp_mul_v1 multiply_0 (
         .clk_i    (clk_i),
+        .rst_ni   (rst_ni),
         .en_i     (en_i),
         .valid_i  (subtract_0_valid_o),
         .a_i      (subtract_0_result_o),
@@ -1626,35 +1854,35 @@ module ray_box (
         .valid_o  (multiply_0_valid_o),
         .result_o (multiply_0_result_o)
     );
-    fp_mul_v2 multiply_1 (
+    ray_box_fp_mul_v2 multiply_1 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_1_result_o),
         .b_i      (select_inv_1_o),
         .result_o (multiply_1_result_o)
     );
-    fp_mul_v2 multiply_2 (
+    ray_box_fp_mul_v2 multiply_2 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_2_result_o),
         .b_i      (select_inv_2_o),
         .result_o (multiply_2_result_o)
     );
-    fp_mul_v2 multiply_3 (
+    ray_box_fp_mul_v2 multiply_3 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_3_result_o),
         .b_i      (select_inv_3_o),
         .result_o (multiply_3_result_o)
     );
-    fp_mul_v2 multiply_4 (
+    ray_box_fp_mul_v2 multiply_4 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_4_result_o),
         .b_i      (select_inv_4_o),
         .result_o (multiply_4_result_o)
     );
-    fp_mul_v2 multiply_5 (
+    ray_box_fp_mul_v2 multiply_5 (
         .clk_i    (clk_i),
         .en_i     (en_i),
         .a_i      (subtract_5_result_o),
@@ -1663,6 +1891,7 @@ module ray_box (
     );
     ray_box_fold fold (
         .clk_i     (clk_i),
+        .rst_ni    (rst_ni),
         .en_i      (en_i),
         .valid_i   (multiply_0_valid_o),
         .t_0_i     (multiply_0_result_o),
@@ -1677,7 +1906,8 @@ module ray_box (
         .hit_o     (fold_hit_o),
         .t_entry_o (fold_t_entry_o)
     );
-    delay_v3 tag (
+    // Cycles 5 to 8: fold and compare.
+    ray_box_delay_v3 tag (
         .clk_i (clk_i),
         .en_i  (en_i),
         .d_i   (tag_i),

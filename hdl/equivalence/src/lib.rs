@@ -28,6 +28,7 @@
 
 pub mod cases;
 mod classes;
+mod directed;
 mod model;
 mod ports;
 mod stimulus;
@@ -35,9 +36,10 @@ mod stimulus;
 use std::collections::BTreeMap;
 use std::fmt;
 
+pub use directed::directed;
 pub use model::Model;
 pub use ports::Ports;
-pub use stimulus::Stimulus;
+pub use stimulus::{Stimulus, testbench};
 
 use netlist::{Evaluator, Flat};
 use pipelines::catalogue::{StandardFormat, Top};

@@ -1,6 +1,7 @@
 //! Streams of inputs from a seed: operations of every class, back to back, with bubbles and stalls.
 
 use super::cases::{Cases, NodeCase};
+use super::directed::directed;
 use super::ports::{BoxPorts, NodePorts, Ports};
 use fp::Format;
 use fp::operands::Operands;
@@ -10,7 +11,19 @@ use pipelines::catalogue::{StandardFormat, Top};
 /// Cycles between changes of the shared block's routing.
 const MODE_CYCLES: u64 = 64;
 /// Enabled cycles without an operation before a change, which empty the pipelines.
-const DRAIN_CYCLES: u64 = 8;
+pub(crate) const DRAIN_CYCLES: u64 = 8;
+
+/// What an exported testbench runs: the directed cycles of `top`, then `count` cycles of the stream of `seed`, with every value below
+/// 2^width.
+#[must_use]
+pub fn testbench(top: Top, format: StandardFormat, netlist: &Flat, count: u32, seed: u64) -> Vec<Vec<u128>> {
+    let mut cycles = directed(top, format, netlist);
+    cycles.extend(Stimulus::new(top, format, netlist, seed).take(count as usize));
+    for inputs in &mut cycles {
+        inputs.iter_mut().zip(&netlist.inputs).for_each(|(value, port)| *value &= mask(port.width));
+    }
+    cycles
+}
 
 /// The endless stream of a seed. Each item gives the values of all inputs in one cycle.
 #[derive(Clone, Debug)]
@@ -85,7 +98,7 @@ impl Stimulus {
 }
 
 /// Zero, the ends of the subnormal and normal ranges, one, infinity and NaN, of either sign.
-fn special(format: Format) -> Vec<u32> {
+pub(crate) fn special(format: Format) -> Vec<u32> {
     let one = (format.bias() as u32) << format.fraction_bits();
     let min_normal = format.min_normal();
     let magnitudes = [

@@ -93,7 +93,8 @@ impl<'f> Compact<'f> {
     }
 }
 
-/// Gathers the variants of a hierarchy into a design, equal ones once, under unique names.
+/// Gathers the variants of a hierarchy into a design, equal ones once, under names that no other top's modules have: those
+/// of all but the top begin with the top's name, so that designs of different tops can be compiled together.
 #[derive(Default)]
 pub struct Collector {
     modules: Vec<Module>,
@@ -115,11 +116,16 @@ impl Collector {
                 continue;
             }
             let count = counts.entry(module.kind.clone()).or_default();
+            let prefix = format!("{name}_");
+            let stem = match module.kind.starts_with(&prefix) {
+                true => module.kind.clone(),
+                false => prefix + &module.kind,
+            };
             loop {
                 *count += 1;
                 module.name = match totals[&module.kind] {
-                    1 if *count == 1 => module.kind.clone(),
-                    _ => format!("{}_v{count}", module.kind),
+                    1 if *count == 1 => stem.clone(),
+                    _ => format!("{stem}_v{count}"),
                 };
                 if used.insert(module.name.clone()) {
                     break;

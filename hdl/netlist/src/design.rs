@@ -25,6 +25,8 @@ pub struct Port {
 }
 
 /// A D flip-flop of one word: on the clock's rising edge, `q <= d` if enabled.
+///
+/// A simulation starts every register at [`initial`](Self::initial), which is where power-up and reset leave it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Register {
     /// Name of the instance in the source.
@@ -33,8 +35,10 @@ pub struct Register {
     pub width: u32,
     /// How the bits are meant.
     pub signal_type: SignalType,
-    /// Value at power-up. There is no reset.
+    /// Value at power-up, and in reset if it has one.
     pub initial: u128,
+    /// Whether the hardware's reset clears it. The others have unknown values until their first data arrive.
+    pub has_reset: bool,
     /// The next value.
     pub data: NodeId,
     /// One-bit clock enable; always enabled when absent.
@@ -158,6 +162,13 @@ impl Design {
     #[must_use]
     pub fn module(&self, id: ModuleId) -> &Module {
         &self.modules[id.index()]
+    }
+
+    /// Whether the module or anything beneath it has a register that reset clears.
+    #[must_use]
+    pub fn has_reset(&self, module: &Module) -> bool {
+        let beneath = || module.instances.iter().any(|instance| self.has_reset(self.module(instance.module)));
+        module.registers.iter().any(|register| register.has_reset) || beneath()
     }
 
     /// The module with this name.

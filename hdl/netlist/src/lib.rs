@@ -11,12 +11,12 @@
 //! [`elaborate`] is a pure function of the module: of its syntax tree (`Logic::hdl`), its instance tree (`Block::accept`) and its
 //! constants. Everything else in this crate and the simulators is derived from the [`Design`] that it returns. A block tells its
 //! kind by the first entry of `Logic::timing`. The kind `dff` is a register with the ports named there: data, an optional enable,
-//! and output.
+//! and output; `dff_reset` is one that the hardware's reset clears.
 //!
 //! A kernel may contain assignments to locals, outputs, registers and instance inputs; `if`, `match`, and `for` over constants; the
 //! operators of `Bits`, `Signed` and `bool`; `bit_cast`, `get_bit`, `get_bits`, `replace_bit`, `any`, `all` and `xor`; enums, struct
-//! fields, arrays of one dimension, interfaces and links. Words are at most [`MAX_WIDTH`] bits wide. A design has one clock, no
-//! reset and no tristate.
+//! fields, arrays of one dimension, interfaces and links. Words are at most [`MAX_WIDTH`] bits wide. A design has one clock
+//! and no tristate. Its reset is no signal of the source: the Verilog has it as a port, and simulations start where it ends.
 //!
 //! ```
 //! use netlist::{Evaluator, elaborate, flatten, verilog};
@@ -76,6 +76,7 @@ mod simplify;
 mod source;
 mod specialise;
 mod statements;
+mod tag;
 pub mod verilog;
 mod verilog_semantics;
 pub mod wave;
@@ -93,6 +94,8 @@ pub use inventory::{Inventory, ModuleInventory, OperationCount, inventory, laten
 pub use keywords::is_keyword;
 pub use mutate::{Change, Mutation, MutationError, mutate, mutations};
 
+pub use tag::elaborate_with_tag;
+
 use rust_hdl_core::prelude::Block;
 
 /// Elaborates a module; the result's top is called `name`.
@@ -106,8 +109,12 @@ pub fn elaborate(module: &dyn Block, name: &str) -> Result<Design, ElaborateErro
     }
     let scope = probe::read(module, name)
         .ok_or_else(|| lower::at_module(name, ErrorKind::NotUnderstood("a module without scope".into())))?;
+    elaborate_scope(&scope, name)
+}
+
+fn elaborate_scope(scope: &probe::Scope, name: &str) -> Result<Design, ElaborateError> {
     let mut templates = lower::Templates::default();
-    let top = templates.add(&scope, name)?;
+    let top = templates.add(scope, name)?;
     let design = specialise::specialise(&templates.list, top, name);
     flatten(&design)?;
     Ok(design)

@@ -30,7 +30,8 @@ impl Templates {
             children.push((child.name.clone(), template));
         }
         let signals = Signals::of(scope).map_err(whole)?;
-        let registers: Vec<_> = signals.registers.iter().map(|r| (&r.name, r.width, r.initial)).collect();
+        let registers: Vec<_> =
+            signals.registers.iter().map(|r| (&r.name, r.width, r.initial, r.has_reset)).collect();
         let (kind, _) = kind_of(scope);
         let shape =
             format!("{kind:?} {:?} {:?} {registers:?} {children:?}", scope.atoms, code_key(&scope.code));
@@ -105,6 +106,7 @@ fn lower(scope: &Scope, signals: &Signals, path: &str) -> Result<Module, Elabora
                 width: declared.width,
                 signal_type: declared.signal_type.clone(),
                 initial: declared.initial,
+                has_reset: declared.has_reset,
                 data: drivers[&Key::Data(i)],
                 enable: declared.has_enable.then(|| drivers[&Key::Enable(i)]),
             })

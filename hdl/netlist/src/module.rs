@@ -6,8 +6,10 @@
 
 use rust_hdl_core::prelude::*;
 
-/// What [`Logic::timing`] calls a register.
-const REGISTER: &str = "dff";
+/// What [`Logic::timing`] calls a register, as rust-hdl's own flip-flop does.
+pub(crate) const REGISTER: &str = "dff";
+/// What [`Logic::timing`] calls a register that reset clears.
+pub(crate) const RESET_REGISTER: &str = "dff_reset";
 /// Separates kind and parameters in [`Logic::timing`]'s name; it occurs in neither.
 const SEPARATOR: char = ' ';
 
@@ -46,7 +48,7 @@ impl ModuleName {
 /// Whether `block` is a register: output `q` takes the value of input `d` at a rising edge of `clock`.
 #[must_use]
 pub fn is_register(block: &dyn Block) -> bool {
-    block.timing().iter().any(|info| info.name == REGISTER)
+    block.timing().iter().any(|info| [REGISTER, RESET_REGISTER].contains(&&*info.name))
 }
 
 /// The answer of a module to [`Logic::timing`].
@@ -59,8 +61,18 @@ pub fn named(kind: &str, parameters: &str) -> Vec<TimingInfo> {
 /// The answer of a register to [`Logic::timing`].
 #[must_use]
 pub fn register() -> Vec<TimingInfo> {
+    called(REGISTER)
+}
+
+/// The answer of a register that reset clears to [`Logic::timing`].
+#[must_use]
+pub fn reset_register() -> Vec<TimingInfo> {
+    called(RESET_REGISTER)
+}
+
+fn called(kind: &str) -> Vec<TimingInfo> {
     vec![TimingInfo {
-        name: REGISTER.into(),
+        name: kind.into(),
         clock: "clock".into(),
         inputs: vec!["d".into()],
         outputs: vec!["q".into()],

@@ -258,6 +258,7 @@ fn apply_to(module: &Module, target: NodeId, mutation: &Mutation) -> Result<Modu
             width,
             signal_type: super::design::SignalType::Bits,
             initial: 0,
+            has_reset: false,
             data: rebuild.original(target)?,
             enable: None,
         });

@@ -9,6 +9,7 @@ use super::design::{Parameter, Port, SignalType};
 use super::error::ErrorKind;
 use super::graph::{MAX_WIDTH, Op};
 use super::keywords::is_keyword;
+use super::module::{REGISTER, RESET_REGISTER};
 use super::probe::{AtomDecl, Scope};
 
 /// What a name stands for when the kernel reads it, or that the kernel assigns it.
@@ -76,6 +77,8 @@ pub struct RegisterDecl {
     pub signal_type: SignalType,
     /// Value at power-up.
     pub initial: u128,
+    /// Whether reset clears it.
+    pub has_reset: bool,
     /// Whether it has an enable input.
     pub has_enable: bool,
 }
@@ -101,13 +104,10 @@ pub struct Signals {
     pub registers: Vec<RegisterDecl>,
 }
 
-/// What a register calls itself in [`rust_hdl_core::prelude::TimingInfo`], as rust-hdl's own flip-flop does.
-const REGISTER_KIND: &str = "dff";
-
 impl Scope {
-    /// Whether the block is a register: its first timing entry is called `dff`.
+    /// Whether the block is a register, by its first timing entry.
     pub fn is_register(&self) -> bool {
-        self.timing.as_ref().is_some_and(|timing| timing.name == REGISTER_KIND)
+        self.timing.as_ref().is_some_and(|timing| [REGISTER, RESET_REGISTER].contains(&&*timing.name))
     }
 }
 
@@ -194,6 +194,7 @@ impl Signals {
                     width,
                     signal_type: atom.signal_type.clone(),
                     initial: power_up_value(&child.code, output)?,
+                    has_reset: timing.name == RESET_REGISTER,
                     has_enable: timing.inputs.len() > 1,
                 });
                 self.add_labels(atom, width);

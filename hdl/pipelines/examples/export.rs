@@ -1,32 +1,35 @@
 //! Writes one top as Verilog with testbench, vectors and scripts:
-//! `cargo run -p dualsplit-pipelines --example export -- fp_add out 10000`.
+//! `cargo run -p dualsplit-pipelines --example export -- fp_add out 1000 binary16`.
 
 use std::error::Error;
 use std::path::Path;
 
-use base::split_mix;
-use netlist::verilog::{PackageOptions, package, write_files};
-use pipelines::catalogue::{StandardFormat, Top};
+use equivalence::testbench;
+use netlist::flatten;
+use netlist::verilog::{Form, PackageOptions, package, shared_files, write_files};
+use pipelines::catalogue::{StandardFormat, Top, sources};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let top: Top = arguments.next().unwrap_or_else(|| "fp_add".into()).parse()?;
     let folder = arguments.next().unwrap_or_else(|| "out".into());
-    let vectors: u64 = arguments.next().unwrap_or_else(|| "1000".into()).parse()?;
+    let vectors: u32 = arguments.next().unwrap_or_else(|| "1000".into()).parse()?;
+    let format: StandardFormat = arguments.next().unwrap_or_else(|| "binary32".into()).parse()?;
 
-    let design = top.design(StandardFormat::Binary32)?;
-    let inputs = &design.top().inputs;
-    let stimulus: Vec<Vec<u128>> =
-        (0..vectors).map(|cycle| (0u64..).zip(inputs).map(|(i, _)| random(cycle, i)).collect()).collect();
-    let options = PackageOptions { description: "An example export.", period_ns: 1.0 };
-    for path in write_files(Path::new(&folder), &package(&design, &options, &stimulus)?)? {
+    let design = top.design(format)?;
+    let stimulus = testbench(top, format, &flatten(&design)?, vectors, 0);
+    let options = PackageOptions {
+        description: "An example export.",
+        notes: &top.notes(),
+        form: Form { reset: true, sources: &sources() },
+        is_pipeline: top.is_pipeline(),
+        claims: &top.claims(),
+        ..PackageOptions::default()
+    };
+    let mut files = package(&design, &options, &stimulus)?;
+    files.extend(shared_files(&design.top().name, options.period_ns));
+    for path in write_files(Path::new(&folder), &files)? {
         println!("{}", path.display());
     }
     Ok(())
-}
-
-/// 128 random bits; every input takes as many as it has.
-fn random(cycle: u64, input: u64) -> u128 {
-    let mut state = split_mix::hash(cycle) ^ input;
-    u128::from(split_mix::next(&mut state)) << 64 | u128::from(split_mix::next(&mut state))
 }

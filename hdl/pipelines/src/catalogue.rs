@@ -7,7 +7,7 @@ use fp::Format;
 use rust_hdl_core::prelude::Block;
 
 use crate::formats;
-use netlist::{Design, ElaborateError, elaborate};
+use netlist::{Design, ElaborateError, elaborate, elaborate_with_tag};
 use units;
 
 /// Width of the integer adder in bits: a node's offset, zero-extended.
@@ -217,6 +217,13 @@ impl Top {
         }
     }
 
+    /// Whether it is one of the traversal pipelines, in any form but the shared block's.
+    #[must_use]
+    pub fn is_pipeline(self) -> bool {
+        use Top::{DualSplit, DualSplitLean, RayBox, RayBoxLean, RayBoxX2, RayBoxX4, RayBoxX8};
+        matches!(self, DualSplit | DualSplitLean | RayBox | RayBoxLean | RayBoxX2 | RayBoxX4 | RayBoxX8)
+    }
+
     /// The module in a format, connected.
     ///
     /// # Errors
@@ -243,6 +250,15 @@ impl Top {
         Ok(elaborate(self.module(format)?.as_ref(), &self.design_name(format))?)
     }
 
+    /// The design with tags of `tag_bits` bits.
+    ///
+    /// # Errors
+    /// As [`Top::module`].
+    pub fn design_with_tag(self, format: StandardFormat, tag_bits: u32) -> Result<Design, CatalogueError> {
+        let name = self.design_name(format);
+        Ok(elaborate_with_tag(self.module(format)?.as_ref(), &name, tag_bits as usize)?)
+    }
+
     /// Name of the design and of its files.
     #[must_use]
     pub fn design_name(self, format: StandardFormat) -> String {
@@ -251,6 +267,12 @@ impl Top {
             _ => format!("{self}_{format}"),
         }
     }
+}
+
+/// The source file of every kind of module in the catalogue's designs, whose comments the exported Verilog keeps.
+#[must_use]
+pub fn sources() -> Vec<(&'static str, &'static str)> {
+    [units::SOURCES, crate::SOURCES].concat()
 }
 
 fn boxed<M: Block + Default + 'static>() -> Box<dyn Block> {

@@ -22,7 +22,7 @@ use super::ports::{Node, Origin, Ray, Reciprocals};
 use super::ray_select::RaySelect;
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
-use units::blocks::{ClockEnable, Delay, Dff, dff_setup, module};
+use units::blocks::{ClockEnable, Delay, Dff, Valid, dff_setup, module};
 use units::widths::{check_widths, format};
 use units::{FpCmp, fp_cmp};
 
@@ -62,7 +62,7 @@ pub(super) struct DualSplitSelect<const E: usize, const S: usize, const W: usize
     min_side: [Signal<Local, Bit>; 2],
     select: [RaySelect<W>; 2],
     role: [fp_cmp!(); C],
-    valid: Dff<Bit>,
+    valid: Valid,
     plane_0: Dff<Bits<W>>,
     plane_1: Dff<Bits<W>>,
     origin: [Dff<Bits<W>>; 2],

@@ -29,6 +29,7 @@ mod dual_split_fold;
 mod dual_split_select;
 pub mod formats;
 mod node_header;
+mod notes;
 pub mod ports;
 mod ray_box;
 mod ray_box_fold;
@@ -44,6 +45,20 @@ pub use ray_box_parallel::RayBoxParallel;
 pub use shared_units::SharedUnits;
 #[doc(hidden)]
 pub use units::in_format;
+
+/// The source file of each kind of module, for what is exported with its comments.
+pub const SOURCES: &[(&str, &str)] = &[
+    ("dual_split", include_str!("dual_split.rs")),
+    ("dual_split_fold", include_str!("dual_split_fold.rs")),
+    ("dual_split_select", include_str!("dual_split_select.rs")),
+    ("node_header", include_str!("node_header.rs")),
+    ("ray_box", include_str!("ray_box.rs")),
+    ("ray_box_fold", include_str!("ray_box_fold.rs")),
+    ("ray_box_parallel", include_str!("ray_box_parallel.rs")),
+    ("ray_box_select", include_str!("ray_box_select.rs")),
+    ("ray_select", include_str!("ray_select.rs")),
+    ("shared_units", include_str!("shared_units.rs")),
+];
 
 units::clocked! {
     DualSplitPipeline<E, S, W, X, R, N, P, C, T>,

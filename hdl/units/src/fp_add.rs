@@ -26,7 +26,7 @@
 //! | zeros of equal sign | that zero |
 
 use super::{FpUnpack, Rounder, StickyShift};
-use crate::blocks::{ClockEnable, Dff, dff_setup, module};
+use crate::blocks::{ClockEnable, Dff, Valid, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
@@ -129,7 +129,7 @@ pub struct FpAdd<
     total: Signal<Local, Bits<N>>,
 
     // Between the cycles.
-    valid_1: Dff<Bit>,
+    valid_1: Valid,
     tag_1: Dff<Bits<T>>,
     rounding: Dff<Bits<3>>,
     nan: Dff<Bit>,
@@ -150,7 +150,7 @@ pub struct FpAdd<
     rounder: Rounder<E, S, W, X, R>,
 
     // Outputs.
-    valid_2: Dff<Bit>,
+    valid_2: Valid,
     tag_2: Dff<Bits<T>>,
     result: Dff<Bits<W>>,
 }

@@ -6,7 +6,7 @@
 //! right; if only `b` is negative, `u = 1`, and `!u` is right. Hence `a < b` is `u` xor `(sign_a | sign_b)` wherever the
 //! operands differ.
 
-use crate::blocks::{ClockEnable, Dff, dff_setup, module};
+use crate::blocks::{ClockEnable, Dff, Valid, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
@@ -89,7 +89,7 @@ pub struct FpCmp<const E: usize, const S: usize, const W: usize, const T: usize>
     below: Signal<Local, Bit>,
     equal: Signal<Local, Bit>,
     less: Signal<Local, Bit>,
-    valid: Dff<Bit>,
+    valid: Valid,
     tag: Dff<Bits<T>>,
     lt: Dff<Bit>,
     le: Dff<Bit>,

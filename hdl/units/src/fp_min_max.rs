@@ -13,7 +13,7 @@
 //!
 //! Every NaN result is canonical.
 
-use crate::blocks::{ClockEnable, Dff, dff_setup, module};
+use crate::blocks::{ClockEnable, Dff, Valid, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
@@ -100,7 +100,7 @@ pub struct FpMinMax<const E: usize, const S: usize, const W: usize, const T: usi
     below: Signal<Local, Bit>,
     choose_a: Signal<Local, Bit>,
     chosen: Signal<Local, Bits<W>>,
-    valid: Dff<Bit>,
+    valid: Valid,
     tag: Dff<Bits<T>>,
     result: Dff<Bits<W>>,
 }

@@ -24,7 +24,7 @@
 //! | zero and a number | zero of the product's sign |
 
 use super::{FpUnpack, LeadingZeros, Rounder, SignificandProduct, StickyShift};
-use crate::blocks::{ClockEnable, Dff, dff_setup, module};
+use crate::blocks::{ClockEnable, Dff, Valid, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
@@ -127,7 +127,7 @@ pub struct FpMul<
     infinite_factor: Signal<Local, Bit>,
 
     // Between the cycles.
-    valid_1: Dff<Bit>,
+    valid_1: Valid,
     tag_1: Dff<Bits<T>>,
     rounding: Dff<Bits<3>>,
     nan: Dff<Bit>,
@@ -151,7 +151,7 @@ pub struct FpMul<
     rounder: Rounder<E, S, W, X, R>,
 
     // Outputs.
-    valid_2: Dff<Bit>,
+    valid_2: Valid,
     tag_2: Dff<Bits<T>>,
     result: Dff<Bits<W>>,
 }

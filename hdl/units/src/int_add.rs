@@ -1,6 +1,6 @@
 //! Integer adder: forms the second child's offset.
 
-use crate::blocks::{ClockEnable, Dff, dff_setup};
+use crate::blocks::{ClockEnable, Dff, Valid, dff_setup};
 use netlist::module::named;
 use rust_hdl_core::prelude::*;
 
@@ -67,7 +67,7 @@ pub struct IntAdd<const B: usize, const T: usize> {
     pub tag_o: Signal<Out, Bits<T>>,
     /// Sum.
     pub sum_o: Signal<Out, Bits<B>>,
-    valid: Dff<Bit>,
+    valid: Valid,
     tag: Dff<Bits<T>>,
     sum: Dff<Bits<B>>,
 }

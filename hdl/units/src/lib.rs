@@ -58,6 +58,21 @@ pub use fp_mul::FpMul;
 pub use int_add::IntAdd;
 pub use significand_product::SignificandProduct;
 
+/// The source file of each kind of module, for what is exported with its comments.
+pub const SOURCES: &[(&str, &str)] = &[
+    ("delay", include_str!("blocks/delay.rs")),
+    ("fp_add", include_str!("fp_add.rs")),
+    ("fp_cmp", include_str!("fp_cmp.rs")),
+    ("fp_min_max", include_str!("fp_min_max.rs")),
+    ("fp_mul", include_str!("fp_mul.rs")),
+    ("fp_unpack", include_str!("fp_unpack.rs")),
+    ("int_add", include_str!("int_add.rs")),
+    ("leading_zeros", include_str!("leading_zeros.rs")),
+    ("rounder", include_str!("rounder.rs")),
+    ("significand_product", include_str!("significand_product.rs")),
+    ("sticky_shift", include_str!("sticky_shift.rs")),
+];
+
 use fp_unpack::FpUnpack;
 use leading_zeros::LeadingZeros;
 use rounder::Rounder;

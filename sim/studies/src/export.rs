@@ -3,9 +3,9 @@
 use crate::artifacts::Artifacts;
 use crate::progress::{Part, Progress};
 use anyhow::ensure;
-use equivalence::Stimulus;
-use netlist::verilog::{PackageOptions, package};
-use netlist::{flatten, mask};
+use equivalence::testbench;
+use netlist::flatten;
+use netlist::verilog::{Form, PackageOptions, package, shared_files};
 use pipelines::catalogue::{StandardFormat, Top};
 use std::path::PathBuf;
 
@@ -18,8 +18,14 @@ pub struct Options {
     pub format: StandardFormat,
     /// The unit or pipeline that is written; if absent, all that exist in the format.
     pub unit: Option<Top>,
-    /// Cycles in each testbench.
+    /// Random cycles in each testbench, beside the directed ones.
     pub vectors: u32,
+    /// Bits of the tag that travels with each operation.
+    pub tag_bits: u32,
+    /// Also writes one file that holds all of them.
+    pub one_file: bool,
+    /// Leaves out the reset port; registers have initial values instead.
+    pub no_reset: bool,
     /// Clock period of the timing constraint in nanoseconds.
     pub period_ns: f64,
     /// Seed of the stimulus.
@@ -43,22 +49,39 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Vec<PathBu
         None => Top::ALL.iter().copied().filter(|top| top.formats().contains(&args.format)).collect(),
     };
     // The designs come first, so that a unit that does not exist leaves no folder behind.
-    let designs = tops.iter().map(|top| top.design(args.format)).collect::<Result<Vec<_>, _>>()?;
+    let designs = tops
+        .iter()
+        .map(|top| top.design_with_tag(args.format, args.tag_bits))
+        .collect::<Result<Vec<_>, _>>()?;
     let mut artifacts = Artifacts::create(&args.out, args.force)?;
     let part = Part::begin(progress, tops.len() as u64, "writing Verilog");
-    for (top, design) in tops.into_iter().zip(designs) {
-        let netlist = flatten(&design)?;
-        let stimulus = Stimulus::new(top, args.format, &netlist, args.seed);
-        let fits = |(value, port): (&u128, &netlist::Port)| value & mask(port.width);
-        let vectors: Vec<Vec<u128>> = stimulus
-            .take(args.vectors as usize)
-            .map(|inputs| inputs.iter().zip(&netlist.inputs).map(fits).collect())
-            .collect();
-        let options = PackageOptions { description: description(top), period_ns: args.period_ns };
-        for file in package(&design, &options, &vectors)? {
+    let sources = pipelines::catalogue::sources();
+    let form = Form { reset: !args.no_reset, sources: &sources };
+    for (top, design) in tops.iter().zip(&designs) {
+        let vectors = testbench(*top, args.format, &flatten(design)?, args.vectors, args.seed);
+        let options = PackageOptions {
+            description: description(*top),
+            period_ns: args.period_ns,
+            form,
+            is_pipeline: top.is_pipeline(),
+            claims: &top.claims(),
+            notes: &top.notes(),
+        };
+        for file in package(design, &options, &vectors)? {
             artifacts.write(&file.name, file.contents.as_bytes())?;
         }
         part.advance(1);
+    }
+    for file in shared_files(&designs[0].top().name, args.period_ns) {
+        artifacts.write(&file.name, file.contents.as_bytes())?;
+    }
+    if args.one_file {
+        let name = match args.format {
+            StandardFormat::Binary32 => "dualsplit".to_owned(),
+            format => format!("dualsplit_{format}"),
+        };
+        let all: Vec<_> = designs.iter().collect();
+        artifacts.write(&format!("{name}.v"), form.text(&all, &name).as_bytes())?;
     }
     artifacts.finish()
 }

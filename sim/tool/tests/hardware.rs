@@ -146,12 +146,13 @@ fn export() {
     let work = Workplace::new();
     let document = work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
     let files = document["artifacts"].as_array().unwrap();
-    assert_eq!(files.len(), 7, "{files:?}");
+    assert_eq!(files.len(), 12, "{files:?}");
     let verilog = String::from_utf8(work.read("rtl/fp_mul_binary16.v")).unwrap();
     assert!(verilog.contains("module fp_mul_binary16"), "{verilog}");
     assert_eq!(
         work.read("rtl/fp_mul_binary16_vectors.hex").iter().filter(|&&byte| byte == b'\n').count(),
-        50
+        946,
+        "the directed cycles and 50 random ones"
     );
     let first = work.read("rtl/fp_mul_binary16_vectors.hex");
     work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
@@ -161,6 +162,13 @@ fn export() {
         &["shared_units", "binary16", "binary32"],
     );
     assert!(!work.path("none").exists(), "a refused export leaves no folder");
+    work.json("export --out all --vectors 1 --format e4m3 --one-file --tag-bits 7 --no-reset");
+    let verilog = String::from_utf8(work.read("all/dualsplit_e4m3.v")).unwrap();
+    for part in ["module fp_add_e4m3 (", "module dual_split_e4m3 (", "input  wire [6:0] tag_i"] {
+        assert!(verilog.contains(part), "{part}");
+    }
+    assert!(!verilog.contains("rst_ni"), "no reset was asked for");
+    work.refused("export --out tags --tag-bits 65", &["--tag-bits", "64"]);
     std::fs::create_dir(work.path("mine")).unwrap();
     work.write("mine/note", b"mine");
     work.refused("export --out mine --unit fp_mul", &["mine", "--force"]);

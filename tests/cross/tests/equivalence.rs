@@ -2,6 +2,7 @@
 //!
 //! A failure names the seed; `dualsplit check --unit U --seed S` finds it again.
 
+use ::netlist::{Change, Mutation, flatten, mutate};
 use cross::{netlist, netlist_in};
 use equivalence::{Outcome, check};
 use pipelines::catalogue::{StandardFormat, Top};
@@ -144,4 +145,23 @@ fn a_seed_names_its_stream() {
     let run = |seed| check(&netlist, Top::FpAdd, StandardFormat::Binary32, 500, seed);
     assert_eq!(run(1), run(1));
     assert_ne!(run(1).classes, run(2).classes);
+}
+
+/// A tag of any width comes back with its operation.
+#[test]
+fn wide_tags_come_back() {
+    for (&top, bits) in Top::ALL.iter().flat_map(|top| [(top, 2), (top, 33)]) {
+        let design = top.design_with_tag(StandardFormat::Binary32, bits).unwrap();
+        let netlist = flatten(&design).unwrap();
+        let tags = netlist.outputs.iter().filter(|(port, _)| port.name.contains("tag_o"));
+        assert!(tags.clone().count() > 0 && tags.clone().all(|(port, _)| port.width == bits), "{top}");
+        let outcome = check(&netlist, top, StandardFormat::Binary32, 300, 1);
+        assert_eq!(outcome.mismatches, 0, "{top}, {bits} bits: {:?}", outcome.first);
+    }
+    // A bit that is lost on the way is noticed.
+    let design = Top::DualSplit.design_with_tag(StandardFormat::Binary32, 33).unwrap();
+    let change = Change::StuckBit { bit: 32, value: false };
+    let mutation = Mutation { module: "dual_split".into(), value: "tag_o".into(), change };
+    let netlist = flatten(&mutate(&design, &mutation).unwrap()).unwrap();
+    assert!(check(&netlist, Top::DualSplit, StandardFormat::Binary32, 300, 1).mismatches > 0);
 }

@@ -3,13 +3,18 @@
 //! The check is the one of `equivalence.rs`: the mutant's outputs against golden's claims. A second list has the
 //! mutants that no check of outputs can notice, each with the reason; a test keeps that list honest.
 
-use equivalence::check;
+use equivalence::{check, testbench};
+use netlist::verilog::Form;
+use netlist::verilog::testbench::{Start, vectors};
 use netlist::{BinaryOp, Change, Mutation, flatten, mutate};
 use pipelines::catalogue::{StandardFormat, Top};
 use std::fmt::Write;
 
 /// Lengths of the streams that a mutant goes through until one notices it, in cycles.
 const STREAMS: [u64; 3] = [400, 4_000, 40_000];
+
+/// Random cycles in an exported testbench where the user asks for no other number.
+const EXPORTED_CYCLES: u32 = 1000;
 
 /// Where, what, and the change: module (all its specialisations), value, fault.
 type Row = (Top, &'static str, &'static str, Change, &'static str);
@@ -225,6 +230,27 @@ fn every_fault_is_noticed() {
     println!("{table}\n{} faults", faults.len());
     assert!(faults.len() >= 40);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Whether the vectors of a default export tell the mutant's outputs from the original's. The testbench compares every output in
+/// every cycle.
+fn is_seen_by_the_testbench(top: Top, module: &str, value: &str, change: &Change) -> bool {
+    let design = top.design(StandardFormat::Binary32).unwrap();
+    let form = Form { reset: true, ..Form::default() };
+    let start = Start::of(&design, &form).unwrap();
+    let cycles = testbench(top, StandardFormat::Binary32, &flatten(&design).unwrap(), EXPORTED_CYCLES, 0);
+    let mutation = Mutation { module: module.into(), value: value.into(), change: change.clone() };
+    let mutant = mutate(&design, &mutation).unwrap();
+    vectors(&design, &start, cycles.clone()).unwrap() != vectors(&mutant, &start, cycles).unwrap()
+}
+
+#[test]
+fn the_exported_testbench_sees_every_fault() {
+    let unseen: Vec<String> = (faults().iter())
+        .filter(|(top, module, value, change, _)| !is_seen_by_the_testbench(*top, module, value, change))
+        .map(|(top, module, value, _, fault)| format!("{top}: {module}.{value}, {fault}"))
+        .collect();
+    assert!(unseen.is_empty(), "{}", unseen.join("\n"));
 }
 
 #[test]

@@ -6,7 +6,7 @@
 //! A test whose tool is missing passes with a message, or fails where `CI` is set.
 
 use equivalence::{Model, Stimulus, compare};
-use netlist::verilog::testbench::{hex_line, testbench};
+use netlist::verilog::testbench::{Start, hex_line, testbench};
 use netlist::verilog::{Namespace, port_names, text};
 use netlist::{Change, Design, Flat, Mutation, flatten, mutate};
 use pipelines::catalogue::{StandardFormat, Top};
@@ -21,7 +21,8 @@ use testing::{cases, long};
 fn write_sources(folder: &Path, top: Top, capacity: u64) {
     let design = top.design(StandardFormat::Binary32).unwrap();
     std::fs::write(folder.join(format!("{top}.v")), text(&design)).unwrap();
-    std::fs::write(folder.join(format!("{top}_tb.v")), testbench(&design, capacity)).unwrap();
+    std::fs::write(folder.join(format!("{top}_tb.v")), testbench(&design, &Start::default(), None, capacity))
+        .unwrap();
 }
 
 /// Writes `count` vectors of `seed` to `<top>_vectors.hex`: golden's outputs where they mean something, the netlist's
@@ -63,7 +64,7 @@ fn icarus_gives_goldens_outputs() {
         write_sources(folder, top, vectors);
         write_vectors(folder, top, vectors, 1);
         let sources = [format!("{top}_tb.v"), format!("{top}.v")];
-        run(folder, "iverilog", &["-g2005", "-Wall", "-o", "simulation", &sources[0], &sources[1]]).unwrap();
+        run(folder, "iverilog", &["-g2012", "-Wall", "-o", "simulation", &sources[0], &sources[1]]).unwrap();
         let printed = run(folder, "vvp", &["-n", "simulation"]).unwrap();
         assert!(printed.contains(&format!("PASS: {top}, {vectors} vectors")), "{printed}");
         println!("{}", printed.trim());
@@ -224,7 +225,7 @@ fn a_wrong_vector_fails() {
     let last = lines[70].pop().unwrap().to_digit(16).unwrap();
     lines[70].push(char::from_digit(last ^ 1, 16).unwrap());
     std::fs::write(&path, lines.join("\n")).unwrap();
-    run(folder, "iverilog", &["-g2005", "-o", "simulation", "int_add_tb.v", "int_add.v"]).unwrap();
-    let printed = run(folder, "vvp", &["-n", "simulation"]).unwrap();
+    run(folder, "iverilog", &["-g2012", "-o", "simulation", "int_add_tb.v", "int_add.v"]).unwrap();
+    let printed = run(folder, "vvp", &["-n", "simulation"]).expect_err("the exit code says it");
     assert!(printed.contains("FAIL: int_add, 1 of 100 vectors differ"), "{printed}");
 }

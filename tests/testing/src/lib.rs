@@ -14,6 +14,7 @@
 //! }
 //! ```
 
+pub mod python;
 pub mod tools;
 
 use std::path::PathBuf;

@@ -7,17 +7,19 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use super::comments::Comments;
 use super::constant::constant;
-use super::identifier::{CLOCK, Namespace, PortNames, plain, port_names};
+use super::identifier::{CLOCK, Namespace, PortNames, RESET, plain, port_names};
 use crate::{Design, Module, NodeId, Op, mask};
 
 /// Longest expression written in place, in characters.
 const INLINE_LIMIT: usize = 60;
 
-/// The text of a module, from `module` to `endmodule`.
+/// The text of a module, from `module` to `endmodule`, with the comments of its source. With `reset`, registers have no
+/// initial values; those of valid bits are cleared by the port [`RESET`] instead.
 #[must_use]
-pub fn module_text(design: &Design, module: &Module) -> String {
-    let mut emitter = Emitter::new(design, module);
+pub fn module_text(design: &Design, module: &Module, reset: bool, comments: &Comments) -> String {
+    let mut emitter = Emitter::new(design, module, reset, comments);
     emitter.name_everything();
     emitter.logic();
     emitter.finish()
@@ -29,9 +31,18 @@ pub fn range(width: u32) -> String {
     if width == 1 { String::new() } else { format!("[{}:0] ", width - 1) }
 }
 
+/// Writes the comment about `name` that is not in `shown` yet, if there is one.
+fn write_comment(text: &mut String, comments: &Comments, name: &str, shown: &mut Vec<usize>) {
+    for line in comments.about(name, shown).into_iter().flat_map(|part| &part.lines) {
+        let _ = writeln!(text, "    // {line}");
+    }
+}
+
 pub(super) struct Emitter<'d> {
     design: &'d Design,
     pub(super) module: &'d Module,
+    reset: bool,
+    comments: &'d Comments,
     namespace: Namespace,
     ports: PortNames,
     /// Identifiers of nodes that have one.
@@ -50,7 +61,7 @@ pub(super) struct Emitter<'d> {
 }
 
 impl<'d> Emitter<'d> {
-    fn new(design: &'d Design, module: &'d Module) -> Self {
+    fn new(design: &'d Design, module: &'d Module, reset: bool, comments: &'d Comments) -> Self {
         let mut namespace = Namespace::default();
         let ports = port_names(module, &mut namespace);
         let mut uses = vec![0; module.graph.nodes().len()];
@@ -68,6 +79,8 @@ impl<'d> Emitter<'d> {
         Self {
             design,
             module,
+            reset,
+            comments,
             namespace,
             ports,
             names: BTreeMap::new(),
@@ -121,9 +134,10 @@ impl<'d> Emitter<'d> {
         (self.instance_names[instance as usize].clone(), ports.outputs[output as usize].clone())
     }
 
-    /// Names for nodes that the source does not name, after what reads them.
+    /// Names for nodes that the source does not name, after what reads them: `sum_if` is the condition under which `sum` takes
+    /// its first value, `sum_part` another operand.
     fn hints(&self) -> BTreeMap<NodeId, String> {
-        let mut hints = BTreeMap::new();
+        let mut hints: BTreeMap<NodeId, String> = BTreeMap::new();
         for (register, name) in self.module.registers.iter().zip(&self.register_names) {
             hints.insert(register.data, format!("{name}_next"));
         }
@@ -133,6 +147,23 @@ impl<'d> Emitter<'d> {
                 hints.entry(node).or_insert_with(|| format!("{name}_{port}"));
             }
         }
+        for ((_, node), name) in self.module.outputs.iter().zip(&self.ports.outputs) {
+            hints.entry(*node).or_insert_with(|| format!("{name}_value"));
+        }
+        // Readers come after what they read: from the last on, each reader has its name when its operands get theirs.
+        for (id, node) in self.module.graph.iter().rev() {
+            let Some(reader) = self.names.get(&id).or_else(|| hints.get(&id)).cloned() else { continue };
+            let reader =
+                ["_if", "_part", "_value"].iter().fold(&*reader, |name, end| name.trim_end_matches(end));
+            let select = match node.op {
+                Op::Mux { select, .. } => Some(select),
+                _ => None,
+            };
+            for operand in node.op.operands() {
+                let role = if select == Some(operand) { "if" } else { "part" };
+                hints.entry(operand).or_insert_with(|| format!("{reader}_{role}"));
+            }
+        }
         hints
     }
 
@@ -140,6 +171,7 @@ impl<'d> Emitter<'d> {
     fn logic(&mut self) {
         let module = self.module;
         let hints = self.hints();
+        let mut shown = Vec::new();
         for (id, node) in module.graph.iter() {
             if node.op.is_source() {
                 continue;
@@ -148,15 +180,13 @@ impl<'d> Emitter<'d> {
                 if !self.needs_wire(id) {
                     continue;
                 }
-                let name = match hints.get(&id) {
-                    Some(hint) => self.namespace.claim(hint),
-                    None => self.namespace.claim(&format!("n{}", id.index())),
-                };
+                let name = self.namespace.claim(hints.get(&id).map_or("value", String::as_str));
                 self.read.insert(name.clone(), (0, node.width));
                 self.names.insert(id, name);
             }
             let expression = self.expression(id, true);
             let name = &self.names[&id];
+            write_comment(&mut self.body, self.comments, name, &mut shown);
             let _ = writeln!(self.body, "    wire {}{name} = {expression};", range(node.width));
         }
     }
@@ -218,6 +248,9 @@ impl<'d> Emitter<'d> {
         if module.clock.is_some() {
             lines.push(line("input ", 1, CLOCK));
         }
+        if self.reset && self.design.has_reset(module) {
+            lines.push(line("input ", 1, RESET));
+        }
         for (port, name) in module.inputs.iter().zip(&self.ports.inputs) {
             lines.push(line("input ", port.width, name));
         }
@@ -230,8 +263,13 @@ impl<'d> Emitter<'d> {
     fn register_declarations(&self) -> String {
         let mut text = String::new();
         for (register, name) in self.module.registers.iter().zip(&self.register_names) {
-            let initial = constant(register.initial, register.width);
-            let _ = writeln!(text, "    reg {}{name} = {initial};", range(register.width));
+            let _ = match self.reset {
+                true => writeln!(text, "    reg {}{name};", range(register.width)),
+                false => {
+                    let initial = constant(register.initial, register.width);
+                    writeln!(text, "    reg {}{name} = {initial};", range(register.width))
+                }
+            };
         }
         text
     }
@@ -246,23 +284,36 @@ impl<'d> Emitter<'d> {
         text
     }
 
-    /// Clocked assignments, one block for each enable.
+    /// Clocked assignments, one block for each enable, and one for those of the same enable that reset clears.
     fn registers(&mut self) -> String {
         let module = self.module;
         let mut text = String::new();
-        let mut groups: Vec<(Option<NodeId>, Vec<usize>)> = Vec::new();
+        let mut groups: Vec<(_, Vec<usize>)> = Vec::new();
         for (position, register) in module.registers.iter().enumerate() {
-            match groups.iter_mut().find(|(enable, _)| *enable == register.enable) {
+            let key = (self.reset && register.has_reset, register.enable);
+            match groups.iter_mut().find(|(known, _)| *known == key) {
                 Some((_, group)) => group.push(position),
-                None => groups.push((register.enable, vec![position])),
+                None => groups.push((key, vec![position])),
             }
         }
-        for (enable, group) in groups {
-            let _ = writeln!(text, "    always @(posedge {CLOCK}) begin");
+        for ((is_reset, enable), group) in groups {
+            let edges = if is_reset { format!(" or negedge {RESET}") } else { String::new() };
+            let _ = writeln!(text, "    always @(posedge {CLOCK}{edges}) begin");
+            let condition = enable.map(|enable| format!("if ({}) ", self.standalone(enable)));
+            let condition = condition.unwrap_or_default();
+            let mut opening = condition.clone();
+            if is_reset {
+                let _ = writeln!(text, "        if (!{RESET}) begin");
+                for &position in &group {
+                    let initial =
+                        constant(module.registers[position].initial, module.registers[position].width);
+                    let _ = writeln!(text, "            {} <= {initial};", self.register_names[position]);
+                }
+                opening = format!("end else {condition}");
+            }
             let mut indent = "        ";
-            if let Some(enable) = enable {
-                let condition = self.standalone(enable);
-                let _ = writeln!(text, "        if ({condition}) begin");
+            if !opening.is_empty() {
+                let _ = writeln!(text, "        {opening}begin");
                 indent = "            ";
             }
             for position in group {
@@ -270,7 +321,7 @@ impl<'d> Emitter<'d> {
                 let value = self.standalone(module.registers[position].data);
                 let _ = writeln!(text, "{indent}{name} <= {value};");
             }
-            if enable.is_some() {
+            if !opening.is_empty() {
                 text.push_str("        end\n");
             }
             text.push_str("    end\n");
@@ -280,12 +331,16 @@ impl<'d> Emitter<'d> {
 
     fn instances(&mut self) -> String {
         let mut text = String::new();
+        let mut shown = Vec::new();
         for (i, instance) in self.module.instances.iter().enumerate() {
             let child = self.design.module(instance.module);
             let ports = port_names(child, &mut Namespace::default());
             let mut connections = Vec::new();
             if child.clock.is_some() {
                 connections.push((CLOCK.to_owned(), CLOCK.to_owned()));
+            }
+            if self.reset && self.design.has_reset(child) {
+                connections.push((RESET.to_owned(), RESET.to_owned()));
             }
             for (name, &node) in ports.inputs.iter().zip(&instance.inputs) {
                 let value = self.standalone(node);
@@ -303,6 +358,7 @@ impl<'d> Emitter<'d> {
                 .map(|(port, value)| format!("        .{port:<widest$} ({value})"))
                 .collect();
             let name = &self.instance_names[i];
+            write_comment(&mut text, self.comments, name, &mut shown);
             let _ = writeln!(text, "    {} {name} (\n{}\n    );", child.name, lines.join(",\n"));
         }
         text

@@ -1,6 +1,6 @@
 //! Names in the emitted Verilog.
 //!
-//! Ports end in `_i` or `_o`, the clock is `clk_i`, array positions and interface fields are joined by `_` before that.
+//! Ports end in `_i` or `_o`, the clock is `clk_i`, the reset `rst_ni`; array positions and interface fields are joined by `_` before that.
 
 use std::collections::BTreeSet;
 
@@ -8,6 +8,8 @@ use crate::{Module, is_keyword};
 
 /// The clock port of every clocked module.
 pub const CLOCK: &str = "clk_i";
+/// The reset port of every module with valid bits, active low.
+pub const RESET: &str = "rst_ni";
 
 /// A name without the characters that Verilog would have to escape.
 #[must_use]
@@ -42,10 +44,10 @@ impl Namespace {
     }
 }
 
-/// The port names of a module, by position.
+/// The port names of a module, by position, without clock and reset.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PortNames {
-    /// Names of the inputs without the clock.
+    /// Names of the inputs.
     pub inputs: Vec<String>,
     /// Names of the outputs.
     pub outputs: Vec<String>,
@@ -54,6 +56,7 @@ pub struct PortNames {
 /// The port names of a module; deterministic, so that parents and testbenches agree with the module itself.
 pub fn port_names(module: &Module, namespace: &mut Namespace) -> PortNames {
     namespace.claim(CLOCK);
+    namespace.claim(RESET);
     PortNames {
         inputs: module.inputs.iter().map(|port| namespace.claim(&port_name(&port.name, "_i"))).collect(),
         outputs: (module.outputs.iter())

@@ -2,23 +2,32 @@
 
 use std::fmt::Write;
 
-use super::identifier::{CLOCK, Namespace, port_names};
+use super::PackageOptions;
+use super::identifier::{CLOCK, Namespace, RESET, port_names};
 use super::meaning::meaning;
 use crate::{Design, Inventory, SignalType};
 
 /// A Markdown page for the design's top.
 #[must_use]
-pub fn readme(design: &Design, inventory: &Inventory, description: &str) -> String {
+pub fn readme(design: &Design, inventory: &Inventory, options: &PackageOptions) -> String {
     let top = design.top();
     let name = &top.name;
     let mut text = format!("# {name}\n\n");
-    if !description.is_empty() {
-        let _ = writeln!(text, "{}\n", description.trim());
+    if !options.description.is_empty() {
+        let _ = writeln!(text, "{}\n", options.description.trim());
     }
+    let resets = options.form.resets(design);
     let ports = port_names(top, &mut Namespace::default());
     text.push_str("## Ports\n\n| port | direction | bits | meaning |\n|---|---|---|---|\n");
     if top.clock.is_some() {
-        let _ = writeln!(text, "| `{CLOCK}` | in | 1 | clock, rising edge; there is no reset |");
+        let reset = if resets { "" } else { "; there is no reset" };
+        let _ = writeln!(text, "| `{CLOCK}` | in | 1 | clock, rising edge{reset} |");
+    }
+    if resets {
+        let _ = writeln!(
+            text,
+            "| `{RESET}` | in | 1 | low: no operation is in flight; may fall at any time, rises with the clock |"
+        );
     }
     for (port, name) in top.inputs.iter().zip(&ports.inputs) {
         let _ = writeln!(text, "| `{name}` | in | {} | {} |", port.width, described(name, &port.signal_type));
@@ -33,13 +42,24 @@ pub fn readme(design: &Design, inventory: &Inventory, description: &str) -> Stri
         Some(latency) => {
             let _ = writeln!(
                 text,
-                "Latency {latency} cycle{}, one operation per cycle. Registers start at their initial value; \
-                 there is no reset.\n\n{}",
+                "Latency {latency} cycle{}, one operation per cycle. {}\n\n{}",
                 if latency == 1 { "" } else { "s" },
+                start(resets),
                 timing_diagram(latency)
             );
+            let enable = top.inputs.iter().any(|port| port.name == "en_i");
+            if enable && top.outputs.iter().any(|(port, _)| port.name == "valid_o") {
+                text.push_str(
+                    "\nWhile `en_i` is low, every register holds and no operand is taken. `valid_o` then stays as it is: a result \
+                     that was valid in the cycle before is shown again, and is the same result. A reader counts a result where \
+                     both `valid_o` and `en_i` are high.\n",
+                );
+            }
         }
         None => text.push_str("The latency differs between outputs, or there is feedback.\n"),
+    }
+    if !options.notes.is_empty() {
+        let _ = write!(text, "\n{}\n", options.notes.trim());
     }
     let _ = write!(
         text,
@@ -56,13 +76,25 @@ pub fn readme(design: &Design, inventory: &Inventory, description: &str) -> Stri
     let _ = write!(
         text,
         "## Use\n\n\
-         - simulate: `iverilog -g2005 -o {name}_tb {name}_tb.v {name}.v && vvp {name}_tb`\n\
+         - simulate: `iverilog -g2012 -o {name}_tb {name}_tb.v {name}.v && vvp -n {name}_tb`, which ends with another \
+         exit code than 0 if an output differs\n\
          - lint: `verilator --lint-only -Wall {name}.v`\n\
          - synthesise: `yosys -s {name}.ys`\n\n\
          `{name}_vectors.hex` holds one clock cycle per line: the inputs and then the expected outputs in the order \
          of the table, first port highest, as one hexadecimal number.\n"
     );
     text
+}
+
+/// What registers hold at first.
+fn start(resets: bool) -> &'static str {
+    match resets {
+        true => {
+            "`rst_ni` clears the valid bits and nothing else: all other registers are unknown until operands have come \
+             through, and no output depends on them while it is valid."
+        }
+        false => "Registers start at their initial value; there is no reset.",
+    }
 }
 
 /// What a port means, and how its bits are read.

@@ -1,14 +1,45 @@
 //! Self-checking testbenches and their vectors.
 //!
 //! One line of the vector file is one clock cycle: all inputs in order of declaration, then the outputs expected once
-//! they have settled and before the rising edge, concatenated and written in hex. A registered module's first lines
-//! therefore expect the power-up values.
+//! they have settled and before the rising edge, concatenated and written in hex. The first lines of a registered module expect
+//! what its registers hold at the [`Start`].
 
 use std::fmt::Write;
 
+use super::constant::constant;
 use super::emit::range;
-use super::identifier::{CLOCK, Namespace, port_names};
-use crate::{Design, ElaborateError, Evaluator, flatten};
+use super::identifier::{CLOCK, Namespace, RESET, port_names};
+use super::{Checker, Form};
+use crate::{Design, ElaborateError, Evaluator, flatten, register_depths};
+
+/// What a testbench does before the first vector.
+///
+/// Registers without initial value are unknown at first, and reset clears the valid bits only. So reset lasts until known
+/// operands have gone through all registers.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Start {
+    /// Clock cycles in reset; none if there is no reset.
+    reset_cycles: u32,
+    /// The inputs in these cycles.
+    inputs: Vec<u128>,
+}
+
+impl Start {
+    /// That of a design's Verilog in this form: all inputs zero but the clock enable.
+    ///
+    /// # Errors
+    /// When the design has a combinational loop.
+    pub fn of(design: &Design, form: &Form) -> Result<Self, ElaborateError> {
+        if !form.resets(design) {
+            return Ok(Self::default());
+        }
+        let flat = flatten(design)?;
+        let depths = register_depths(&flat).unwrap_or_default();
+        let deepest = depths.iter().flatten().map(|&(_, most)| most).max();
+        let inputs = flat.inputs.iter().map(|port| u128::from(port.name == "en_i")).collect();
+        Ok(Self { reset_cycles: deepest.unwrap_or(1), inputs })
+    }
+}
 
 /// The vector file for a stimulus: each item gives the values of all inputs in one cycle, in order. The expected
 /// outputs come from the interpreter of the netlist.
@@ -17,10 +48,14 @@ use crate::{Design, ElaborateError, Evaluator, flatten};
 /// When the design has a combinational loop.
 pub fn vectors(
     design: &Design,
+    start: &Start,
     stimulus: impl IntoIterator<Item = Vec<u128>>,
 ) -> Result<String, ElaborateError> {
     let flat = flatten(design)?;
     let mut evaluator = Evaluator::new(&flat);
+    for _ in 0..start.reset_cycles {
+        evaluator.cycle(&start.inputs);
+    }
     let mut text = String::new();
     for inputs in stimulus {
         let outputs = evaluator.cycle(&inputs);
@@ -56,11 +91,11 @@ pub fn hex_line(words: &[(u128, u32)]) -> String {
     line
 }
 
-/// The testbench of a design's top. Without plus arguments it reads `<top>_vectors.hex` of `count` lines;
-/// `+vectors=FILE +count=N` give another file. It prints `PASS` or `FAIL` with the number of mismatches, and each
-/// of the first ten mismatches.
+/// The testbench of a design's top, in SystemVerilog for its `$fatal`. Without plus arguments it reads `<top>_vectors.hex` of
+/// `count` lines; `+vectors=FILE +count=N` give another file. It prints `PASS` or `FAIL` with the number of mismatches, and each
+/// of the first ten mismatches, to which an assertion of the checker counts, if there is one. After `FAIL`, the simulator ends with another exit code than 0.
 #[must_use]
-pub fn testbench(design: &Design, count: u64) -> String {
+pub fn testbench(design: &Design, start: &Start, checker: Option<&Checker>, count: u64) -> String {
     let top = design.top();
     let ports = port_names(top, &mut Namespace::default());
     let inputs: Vec<(&String, u32)> =
@@ -71,14 +106,18 @@ pub fn testbench(design: &Design, count: u64) -> String {
     let name = &top.name;
     let mut text = format!(
         "// Self-checking testbench of {name}: one vector per clock cycle, inputs and then expected outputs.\n\
-         // Plus arguments: +vectors=FILE +count=N\n\
-         `timescale 1ns / 1ps\n\n\
-         module {name}_tb;\n    parameter CAPACITY = {count};\n\n"
+         // Plus arguments: +vectors=FILE +count=N. A failure ends the simulation by $fatal, with an exit code that is not 0.\n\
+         \n\
+         module {name}_tb;\n    parameter integer CAPACITY = {count};\n\n"
     );
-    let _ = writeln!(text, "    reg [{}:0] vectors [0:CAPACITY-1];", total - 1);
+    let _ = writeln!(text, "    reg [{}:0] vectors [CAPACITY];", total - 1);
     let _ = writeln!(text, "    reg [{}:0] vector;", total - 1);
     text.push_str("    reg [8*1024-1:0] path;\n    integer count, index, mismatches;\n");
     let _ = writeln!(text, "    reg {CLOCK};");
+    let has_reset = start.reset_cycles > 0;
+    if has_reset {
+        let _ = writeln!(text, "    reg {RESET};");
+    }
     let mut offset = total;
     let mut slices = Vec::new();
     for (_, width) in inputs.iter().chain(&outputs) {
@@ -89,19 +128,35 @@ pub fn testbench(design: &Design, count: u64) -> String {
             format!("vector[{}:{offset}]", offset + width - 1)
         });
     }
-    for ((port, width), slice) in inputs.iter().zip(&slices) {
-        let _ = writeln!(text, "    wire {}{port} = {slice};", range(*width));
+    for (position, ((port, width), slice)) in inputs.iter().zip(&slices).enumerate() {
+        let value = match start.inputs.get(position) {
+            Some(&value) => format!("{RESET} ? {slice} : {}", constant(value, *width)),
+            None => slice.clone(),
+        };
+        let _ = writeln!(text, "    wire {}{port} = {value};", range(*width));
     }
     for ((port, width), slice) in outputs.iter().zip(&slices[inputs.len()..]) {
         let _ = writeln!(text, "    wire {}{port};", range(*width));
         let _ = writeln!(text, "    wire {}expected_{port} = {slice};", range(*width));
     }
     let clock = top.clock.iter().map(|_| CLOCK.to_owned());
-    let names = clock.chain(ports.inputs.iter().cloned()).chain(ports.outputs.iter().cloned());
+    let reset = has_reset.then(|| RESET.to_owned());
+    let names = clock.chain(reset).chain(ports.inputs.iter().cloned()).chain(ports.outputs.iter().cloned());
     let connections: Vec<String> = names.map(|port| format!("        .{port}({port})")).collect();
     let _ = write!(text, "\n    {name} dut (\n{}\n    );\n", connections.join(",\n"));
-    let differs: Vec<String> =
+    let mut differs: Vec<String> =
         ports.outputs.iter().map(|port| format!("({port} !== expected_{port})")).collect();
+    if let Some(checker) = checker {
+        let ports =
+            [CLOCK, RESET].into_iter().chain(checker.ports.iter().map(String::as_str)).chain(["holds_o"]);
+        let connections: Vec<String> = ports.map(|port| format!("        .{port}({port})")).collect();
+        let _ = write!(
+            text,
+            "\n    wire holds_o;\n    {name}_checker assertions (\n{}\n    );\n",
+            connections.join(",\n")
+        );
+        differs.push("(holds_o !== 1'b1)".to_owned());
+    }
     let formats: Vec<String> = ports.outputs.iter().map(|port| format!("{port} %h (%h)")).collect();
     let values: Vec<String> = ports.outputs.iter().map(|port| format!("{port}, expected_{port}")).collect();
     let _ = write!(
@@ -112,17 +167,17 @@ pub fn testbench(design: &Design, count: u64) -> String {
         if (!$value$plusargs("count=%d", count)) count = CAPACITY;
         $readmemh(path, vectors, 0, count - 1);
         mismatches = 0;
-        index = 0;
+        index = {first};
         vector = vectors[0];
-        {CLOCK} = 1'b0;
+        {CLOCK} = 1'b0;{reset}
     end
 
     always #5 {CLOCK} = ~{CLOCK};
 
-    always @(posedge {CLOCK}) begin
+    always @(posedge {CLOCK}){guard} begin
         if (^vector === 1'bx) begin
             $display("FAIL: vector %0d is missing", index);
-            $finish;
+            $fatal(1);
         end
         if ({differs}) begin
             mismatches = mismatches + 1;
@@ -134,12 +189,23 @@ pub fn testbench(design: &Design, count: u64) -> String {
         if (index < count) vector <= vectors[index];
         else begin
             if (mismatches == 0) $display("PASS: {name}, %0d vectors", count);
-            else $display("FAIL: {name}, %0d of %0d vectors differ", mismatches, count);
+            else begin
+                $display("FAIL: {name}, %0d of %0d vectors differ", mismatches, count);
+                $fatal(1);
+            end
             $finish;
         end
     end
 endmodule
 "#,
+        first = if has_reset { format!("-{}", start.reset_cycles) } else { "0".to_owned() },
+        reset = if has_reset { format!("\n        {RESET} = 1'b0;") } else { String::new() },
+        guard = match has_reset {
+            true => format!(
+                "\n    if (index < 0) begin\n        index = index + 1;\n        if (index == 0) {RESET} <= 1'b1;\n    end else"
+            ),
+            false => String::new(),
+        },
         differs = differs.join(" || "),
         formats = formats.join(", "),
         values = values.join(", "),

@@ -77,17 +77,19 @@ fn measure<M: Block + Default>(name: &str, differs: bool) {
     });
     let connections = ["a", "b", "s", "x", "y", "z"].map(|port| format!(".{port}({port}_i)"));
     let text = format!(
-        "{}\nmodule {name} ({}, output wire [{}:0] r_o);\n  export inner ({}, .r(r_o));\nendmodule\n",
-        reference_verilog(&module, "export"),
+        "{}\nmodule {name} ({}, output wire [{}:0] r_o);\n  source inner ({}, .r(r_o));\nendmodule\n",
+        reference_verilog(&module, "source"),
         ports.join(", "),
         design.top().outputs[0].0.width - 1,
         connections.join(", "),
     );
     std::fs::write(folder.path().join("reference.v"), text).unwrap();
     let bench = format!("{name}_tb.v");
-    run(folder.path(), "iverilog", &["-g2005", "-o", "simulation", &bench, "reference.v"])
+    run(folder.path(), "iverilog", &["-g2012", "-o", "simulation", &bench, "reference.v"])
         .unwrap_or_else(|error| panic!("{name}: {error}"));
-    let printed = run(folder.path(), "vvp", &["-n", "simulation"]).unwrap();
+    let ended = run(folder.path(), "vvp", &["-n", "simulation"]);
+    assert_eq!(ended.is_err(), differs, "{name}: {ended:?}");
+    let printed = ended.unwrap_or_else(|printed| printed);
     assert!(printed.contains(if differs { "FAIL: " } else { "PASS: " }), "{name}: {printed}");
 }
 

@@ -1,16 +1,25 @@
 //! What an export holds beside the Verilog: FuseSoC core, constraint, README.
 
 use crate::support::stimulus;
-use netlist::verilog::{GeneratedFile, Namespace, PackageOptions, package, port_names};
+use netlist::verilog::{Form, GeneratedFile, Namespace, PackageOptions, package, port_names};
 use netlist::{Design, inventory};
 use pipelines::catalogue::{StandardFormat, Top};
 use yaml_rust2::{Yaml, YamlLoader};
 
-const FILES: [&str; 7] = [".v", "_tb.v", "_vectors.hex", ".ys", ".sdc", ".core", ".md"];
+const FILES: [&str; 7] = [".v", "_tb.v", "_vectors.hex", ".ys", ".sdc", ".md", "_fpga.v"];
+/// What pipelines have too.
+const STREAM_FILES: [&str; 4] = ["_stream.v", "_axis.v", "_pkg.sv", ".h"];
 
-fn files_of(design: &Design) -> Vec<GeneratedFile> {
+fn files_of(top: Top, design: &Design) -> Vec<GeneratedFile> {
     let inputs = design.top().inputs.iter().enumerate().map(|(i, port)| stimulus(0, i, port.width)).collect();
-    let options = PackageOptions { description: "What it does.", period_ns: 1.25 };
+    let form = Form { reset: true, ..Form::default() };
+    let options = PackageOptions {
+        description: "What it does.",
+        period_ns: 1.25,
+        form,
+        is_pipeline: top.is_pipeline(),
+        ..PackageOptions::default()
+    };
     package(design, &options, &[inputs]).unwrap()
 }
 
@@ -34,9 +43,13 @@ fn fileset(set: &Yaml) -> Vec<String> {
 #[test]
 fn packages_are_complete() {
     for &top in Top::ALL {
-        let files = files_of(&top.design(StandardFormat::Binary32).unwrap());
+        let files = files_of(top, &top.design(StandardFormat::Binary32).unwrap());
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-        assert_eq!(names, FILES.map(|suffix| format!("{top}{suffix}")));
+        let mut expected = FILES.to_vec();
+        expected.extend((top != Top::SharedUnits).then_some("_checker.sv"));
+        expected.extend(STREAM_FILES.iter().filter(|_| top.is_pipeline()));
+        expected.push(".core");
+        assert_eq!(names, expected.iter().map(|suffix| format!("{top}{suffix}")).collect::<Vec<_>>());
         assert!(files.iter().all(|file| !file.contents.is_empty() && file.contents.ends_with('\n')));
     }
 }
@@ -44,12 +57,15 @@ fn packages_are_complete() {
 #[test]
 fn fusesoc_cores_name_files_and_tops_that_exist() {
     for &top in Top::ALL {
-        let files = files_of(&top.design(StandardFormat::Binary32).unwrap());
+        let files = files_of(top, &top.design(StandardFormat::Binary32).unwrap());
         let text = contents(&files, &format!("{top}.core"));
         assert!(text.starts_with("CAPI=2:\n"), "the first line is FuseSoC's mark");
         let documents = YamlLoader::load_from_str(text).unwrap_or_else(|error| panic!("{top}: {error}"));
         let core = &documents[0];
-        assert_eq!(core["name"].as_str(), Some(&*format!("::{top}:{}", env!("CARGO_PKG_VERSION"))));
+        assert_eq!(
+            core["name"].as_str(),
+            Some(&*format!("dualsplit:rtl:{top}:{}", env!("CARGO_PKG_VERSION")))
+        );
         let sets = core["filesets"].as_hash().unwrap();
         for set in sets.values() {
             for file in fileset(set) {
@@ -57,7 +73,7 @@ fn fusesoc_cores_name_files_and_tops_that_exist() {
             }
         }
         let targets = core["targets"].as_hash().unwrap();
-        assert_eq!(targets.len(), 4);
+        assert_eq!(targets.len(), 4 + usize::from(top.is_pipeline()));
         for (name, target) in targets {
             let used = strings(&target["filesets"]);
             assert!(used.iter().all(|set| sets.contains_key(&Yaml::String(set.clone()))), "{top}: {used:?}");
@@ -74,7 +90,7 @@ fn fusesoc_cores_name_files_and_tops_that_exist() {
 fn readmes_have_every_port_and_the_latency() {
     for &top in Top::ALL {
         let design = top.design(StandardFormat::Binary32).unwrap();
-        let files = files_of(&design);
+        let files = files_of(top, &design);
         let text = contents(&files, &format!("{top}.md"));
         let names = port_names(design.top(), &mut Namespace::default());
         let inputs = names.inputs.iter().zip(&design.top().inputs).map(|(name, port)| (name, "in", port));
@@ -95,6 +111,7 @@ fn readmes_have_every_port_and_the_latency() {
             assert!(text.contains(&format!("Latency {latency} cycle")), "{top}");
         }
         let constraint = contents(&files, &format!("{top}.sdc"));
-        assert!(constraint.contains("create_clock -name clk_i -period 1.250"), "{constraint}");
+        assert!(constraint.contains("set period 1.250\n"), "{constraint}");
+        assert!(constraint.contains("create_clock -name clk_i -period $period"), "{constraint}");
     }
 }

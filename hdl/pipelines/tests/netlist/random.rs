@@ -187,6 +187,7 @@ fn random_design(seed: u64) -> Design {
                 name: format!("r{r}"),
                 width,
                 signal_type: SignalType::Bits,
+                has_reset: false,
                 initial: dice.value() & netlist::mask(width),
                 data: graph.resize(data, width, false),
                 enable: (dice.roll(2) == 0).then_some(enable),
@@ -221,11 +222,11 @@ fn verilog_of_random_designs_simulates_like_the_interpreter() {
         let stimulus: Vec<Vec<u128>> = (0..200)
             .map(|cycle| inputs.iter().enumerate().map(|(i, p)| stimulus(cycle, i, p.width)).collect())
             .collect();
-        let options = PackageOptions { description: "", period_ns: 1.0 };
+        let options = PackageOptions::default();
         for file in package(&design, &options, &stimulus).unwrap() {
             std::fs::write(folder.path().join(file.name), file.contents).unwrap();
         }
-        run(folder.path(), "iverilog", &["-g2005", "-o", "simulation", "random_tb.v", "random.v"])
+        run(folder.path(), "iverilog", &["-g2012", "-o", "simulation", "random_tb.v", "random.v"])
             .unwrap_or_else(|error| panic!("seed {seed}: {error}\n{}", netlist::verilog::text(&design)));
         let printed = run(folder.path(), "vvp", &["-n", "simulation"]).unwrap();
         assert!(printed.contains("PASS: random, 200 vectors"), "seed {seed}: {printed}");

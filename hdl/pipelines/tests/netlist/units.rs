@@ -4,8 +4,9 @@ use std::path::Path;
 
 use crate::verilog::{lint_and_simulate, prove_equivalent, synthesise};
 use netlist::module::MULTIPLIER_KINDS;
+use netlist::verilog::Form;
 use netlist::{flatten, guard, inventory};
-use pipelines::catalogue::{StandardFormat, Top};
+use pipelines::catalogue::{StandardFormat, Top, sources};
 use testing::long;
 use testing::tools::{available, in_parallel, run};
 
@@ -139,8 +140,10 @@ fn committed_verilog_is_current() {
     };
     let scratch = tempfile::tempdir().unwrap();
     let mut digests = String::new();
+    let sources = sources();
+    let form = Form { reset: true, sources: &sources };
     for &top in Top::ALL {
-        let text = netlist::verilog::text(&top.design(StandardFormat::Binary32).unwrap());
+        let text = form.text(&[&top.design(StandardFormat::Binary32).unwrap()], top.name());
         assert!(text.is_ascii() && !text.contains('\t'));
         let name = format!("{top}.v");
         if DIGESTED.contains(&top) {

@@ -2,7 +2,7 @@
 
 use crate::modules::*;
 use crate::support::{Driven, stimulus};
-use netlist::verilog::{PackageOptions, cross_check, package};
+use netlist::verilog::{Form, PackageOptions, cross_check, package};
 use netlist::{Change, Design, Mutation, elaborate, mutate};
 use rust_hdl_core::prelude::Block;
 use std::path::Path;
@@ -15,7 +15,8 @@ pub fn write_package(design: &Design, vectors: u64, folder: &Path) {
     let stimulus: Vec<Vec<u128>> = (0..vectors)
         .map(|cycle| inputs.iter().enumerate().map(|(i, port)| stimulus(cycle, i, port.width)).collect())
         .collect();
-    let options = PackageOptions { description: "", period_ns: 1.0 };
+    let form = Form { reset: true, ..Form::default() };
+    let options = PackageOptions { form, ..PackageOptions::default() };
     for file in package(design, &options, &stimulus).unwrap() {
         std::fs::write(folder.join(file.name), file.contents).unwrap();
     }
@@ -48,8 +49,11 @@ pub fn lint_and_simulate(design: &Design, vectors: u64) {
         assert_eq!(lint.as_deref(), Ok(""), "{name}");
     }
     if available("iverilog") {
-        let bench = format!("{name}_tb.v");
-        run(folder, "iverilog", &["-g2005", "-Wall", "-o", "simulation", &bench, &source]).unwrap();
+        let mut sources = vec![format!("{name}_tb.v"), source];
+        // Where there is a checker, the testbench has an instance of it.
+        sources.extend(Some(format!("{name}_checker.sv")).filter(|checker| folder.join(checker).exists()));
+        let sources: Vec<&str> = sources.iter().map(String::as_str).collect();
+        run(folder, "iverilog", &[&["-g2012", "-Wall", "-o", "simulation"], &sources[..]].concat()).unwrap();
         let printed = run(folder, "vvp", &["-n", "simulation"]).unwrap();
         assert!(printed.contains(&format!("PASS: {name}, {vectors} vectors")), "{printed}");
     }
@@ -110,7 +114,7 @@ fn the_proof_finds_faults() {
 }
 
 /// A testbench that cannot fail tests nothing: a fault in our Verilog is found, by either simulator, as are vectors
-/// that end too early.
+/// that end too early, and the simulator's exit code says so.
 #[test]
 fn the_testbench_finds_faults() {
     let (_, design) = elaborated::<AddSub>("add_sub");
@@ -121,7 +125,7 @@ fn the_testbench_finds_faults() {
     let mutation = Mutation { module: "add_sub".into(), value: "r_tag".into(), change: Change::Delay };
     let mutant = mutate(&design, &mutation).unwrap();
     let simulate: [(&str, &[&str], &str, &[&str]); 2] = [
-        ("iverilog", &["-g2005", "-o", "simulation"], "vvp", &["-n", "simulation"]),
+        ("iverilog", &["-g2012", "-o", "simulation"], "vvp", &["-n", "simulation"]),
         (
             "verilator",
             &["--binary", "--timing", "-Wno-lint", "--top-module", "add_sub_tb"],
@@ -137,11 +141,13 @@ fn the_testbench_finds_faults() {
             std::fs::write(&source, netlist::verilog::text(design)).unwrap();
             let options = [options, &["add_sub_tb.v", "add_sub.v"]].concat();
             run(folder, compiler, &options).unwrap();
-            let printed = run(folder, simulator, arguments).unwrap();
+            let ended = run(folder, simulator, arguments);
+            assert_eq!(ended.is_ok(), expected.starts_with("PASS"), "{compiler}: {ended:?}");
+            let printed = ended.unwrap_or_else(|printed| printed);
             assert!(printed.contains(expected), "{compiler}: {printed}");
             if compiler == "iverilog" {
                 let longer = [arguments, &["+count=2001"]].concat();
-                let printed = run(folder, simulator, &longer).unwrap();
+                let printed = run(folder, simulator, &longer).expect_err("a vector is missing");
                 assert!(!printed.contains("PASS"), "{printed}");
             }
         }

@@ -1,4 +1,4 @@
-//! The register: the only element with state.
+//! Registers: the only elements with state.
 
 use netlist::module;
 use rust_hdl_core::prelude::*;
@@ -34,15 +34,53 @@ impl<T: Synth> Logic for Dff<T> {
     }
 
     fn hdl(&self) -> Verilog {
-        Verilog::Custom(format!(
-            "initial begin\n   q = {:x};\nend\n\nalways @(posedge clock) begin\n   q <= d;\nend\n",
-            T::default().verilog()
-        ))
+        Verilog::Custom(verilog(T::default()))
     }
 
     fn timing(&self) -> Vec<TimingInfo> {
         module::register()
     }
+}
+
+/// A register of one bit that reset clears: whether the operation beside it exists.
+///
+/// Reset is no signal of the source, which starts at zero as any [`Dff`] does. The exported Verilog has it as a port.
+#[derive(LogicBlock, Default, Clone, Debug)]
+pub struct Valid {
+    /// Next value.
+    pub d: Signal<In, Bit>,
+    /// Value.
+    pub q: Signal<Out, Bit>,
+    /// Clock.
+    pub clock: Signal<In, Clock>,
+}
+
+impl Logic for Valid {
+    fn update(&mut self) {
+        if self.clock.pos_edge() {
+            self.q.next = self.d.val();
+        }
+    }
+
+    fn connect(&mut self) {
+        self.q.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        Verilog::Custom(verilog(Bit::default()))
+    }
+
+    fn timing(&self) -> Vec<TimingInfo> {
+        module::reset_register()
+    }
+}
+
+/// A register as `rust-hdl` exports it.
+fn verilog<T: Synth>(initial: T) -> String {
+    format!(
+        "initial begin\n   q = {:x};\nend\n\nalways @(posedge clock) begin\n   q <= d;\nend\n",
+        initial.verilog()
+    )
 }
 
 /// Clocks the listed registers and lets each hold its value, until a later assignment says otherwise.

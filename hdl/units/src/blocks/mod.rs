@@ -7,7 +7,7 @@ mod dff;
 pub use crate::{dff_setup, module};
 pub use clock_enable::ClockEnable;
 pub use delay::Delay;
-pub use dff::Dff;
+pub use dff::{Dff, Valid};
 
 /// `Self` with the constants on the left of the semicolon and the defaults of the fields on its right.
 #[macro_export]

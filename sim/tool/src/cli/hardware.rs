@@ -43,9 +43,18 @@ pub struct ExportArgs {
     /// The unit or pipeline [default: all].
     #[arg(long, value_name = "UNIT", value_parser = unit())]
     pub unit: Option<Top>,
-    /// Cycles in each testbench, at most 100,000: simulators hold them all in memory.
+    /// Random cycles in each testbench beside the directed ones, at most 100,000: simulators hold them all in memory.
     #[arg(long, default_value_t = 1_000, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub vectors: u32,
+    /// Bits of the tag that travels with each operation.
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub tag_bits: u32,
+    /// Also write dualsplit.v, which holds all modules that are written.
+    #[arg(long)]
+    pub one_file: bool,
+    /// Leave out the reset port rst_ni; registers have initial values instead.
+    #[arg(long)]
+    pub no_reset: bool,
     /// Clock period of the timing constraint in nanoseconds.
     #[arg(long, default_value_t = 1.0, value_name = "NS")]
     pub period_ns: f64,
