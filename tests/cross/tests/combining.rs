@@ -77,7 +77,7 @@ fn two_tops_simulate_side_by_side() {
     }
 }
 
-/// Names are unique within a file, and no helper is called as in another top's file.
+/// Names are unique within a file, and no module is called as one in another top's file.
 #[test]
 fn modules_of_different_tops_have_different_names() {
     let mut seen = std::collections::BTreeSet::new();

@@ -162,10 +162,11 @@ fn has_reset(design: &Design, netlist: &Flat, node: NodeId) -> bool {
     module.registers.iter().any(|found| found.name == register.name && found.has_reset)
 }
 
-/// What is proved in short: the units.
-fn is_quick(top: &Top) -> bool {
-    matches!(top, Top::IntAdd | Top::FpAdd | Top::FpMul | Top::FpMinMax | Top::FpCmp)
-        || long(&format!("proofs of {top}"))
+/// What is proved: the units, and in long runs both pipelines, whose modules the other tops have too.
+fn proved() -> impl Iterator<Item = Top> {
+    let units = [Top::FpMul, Top::FpAdd, Top::FpMinMax, Top::FpCmp, Top::IntAdd];
+    let pipelines = [Top::RayBox, Top::DualSplit].into_iter().filter(|top| long(&format!("proofs of {top}")));
+    pipelines.chain(units)
 }
 
 /// With `rst_ni` held high the export equals the form without reset. yosys proves it of every module that has valid bits; the others only
@@ -175,7 +176,7 @@ fn held_high_reset_changes_nothing() {
     if !available("yosys") {
         return;
     }
-    in_parallel(Top::ALL.iter().rev().filter(|top| is_quick(top)), |&top| {
+    in_parallel(proved(), |top| {
         let design = design(top);
         let [with, without] = [FORM.text(&[&design], top.name()), text(&design)];
         for module in &design.modules {
@@ -238,8 +239,7 @@ fn valid_bits_follow_the_operations() {
     if !available("yosys") {
         return;
     }
-    let tops = Top::ALL.iter().rev().filter(|top| **top != Top::SharedUnits && is_quick(top));
-    in_parallel(tops, |&top| {
+    in_parallel(proved(), |top| {
         let design = design(top);
         let source = FORM.text(&[&design], top.name());
         prove_valid(&design, &source).unwrap_or_else(|error| panic!("{top}: {error}"));

@@ -73,13 +73,23 @@ pub fn readme(design: &Design, inventory: &Inventory, options: &PackageOptions) 
         }
         text.push('\n');
     }
+    if options.is_pipeline && resets {
+        let _ = write!(
+            text,
+            "## Stream\n\n\
+             `{name}_stream` has ready and valid on both sides: one result a cycle for a reader that is always ready, no path from a ready \
+             to a valid or to the other ready, one place for operands that arrive when the pipeline has just stopped. `{name}_axis` is \
+             the same as AXI4-Stream, with the tag as TUSER. `{name}_pkg.sv` and `{name}.h` have the fields of TDATA.\n\n"
+        );
+    }
     let _ = write!(
         text,
         "## Use\n\n\
-         - simulate: `iverilog -g2012 -o {name}_tb {name}_tb.v {name}.v && vvp -n {name}_tb`, which ends with another \
-         exit code than 0 if an output differs\n\
-         - lint: `verilator --lint-only -Wall {name}.v`\n\
-         - synthesise: `yosys -s {name}.ys`\n\n\
+         - simulate: `make sim TOP={name}`, which ends with another exit code than 0 if an output differs or an assertion fails\n\
+         - lint: `make lint TOP={name}`\n\
+         - synthesise: `yosys -s {name}.ys`\n\
+         - clock and area: `make timing TOP={name} LIBERTY=FILE DRIVER=CELL LOAD=X PERIOD=NS`, by yosys, ABC and OpenSTA\n\
+         - FPGA: `make fpga TOP={name}`, on an ECP5-85k by yosys and nextpnr\n\n\
          `{name}_vectors.hex` holds one clock cycle per line: the inputs and then the expected outputs in the order \
          of the table, first port highest, as one hexadecimal number.\n"
     );

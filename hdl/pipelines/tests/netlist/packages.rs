@@ -103,6 +103,8 @@ fn readmes_have_every_port_and_the_latency() {
             assert!(meaning.len() > "  |".len(), "{top}: {row} has no meaning");
         }
         assert!(text.contains("| `clk_i` | in | 1 |") && text.contains("What it does."));
+        assert!(text.contains("| `rst_ni` | in | 1 |") && text.contains(&format!("make sim TOP={top}`")));
+        assert_eq!(text.contains(&format!("`{top}_axis`")), top.is_pipeline());
         // In the diagram, the first result is as many cycles behind the first operation as the latency.
         if let Some(latency) = inventory(&design).unwrap().latency_cycles {
             let lane =
