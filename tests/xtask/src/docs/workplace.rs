@@ -80,9 +80,11 @@ fn example(rest: &str) -> anyhow::Result<Command> {
     let (options, arguments) = rest.split_once(" -- ").unwrap_or((rest, ""));
     let name = options.split_once("--example ").and_then(|(_, rest)| rest.split_whitespace().next());
     let name = name.context("cargo run: only examples, by --example NAME")?;
-    // Of the whole workspace, as the tests are built: for one package, features differ and all would be compiled again.
-    must_succeed(&format!("build --quiet --example {name}"), |_| {})?;
     let program = target()?.join("debug/examples").join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    // `cargo test --workspace` has built it. Built alone, its packages have other features, and all of them are compiled again.
+    if !program.exists() {
+        must_succeed(&format!("build --quiet --example {name}"), |_| {})?;
+    }
     let mut command = Command::new(program);
     command.args(arguments.split_whitespace()).current_dir(root()).stdin(Stdio::null());
     Ok(command)
