@@ -52,3 +52,8 @@ pub mod triangle;
 pub use aabb::Aabb;
 pub use ray::{Hit, Mode, Ray, TraversalRay};
 pub use structure::{bvh, dst};
+
+/// The example in the README, which is compiled and run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+pub struct Readme;

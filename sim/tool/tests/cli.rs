@@ -319,6 +319,8 @@ fn reproduce() {
     assert!(csv.starts_with("scene,test,structure,mode,class,rays,hits,node_visits,plane_tests"), "{csv}");
     let page = String::from_utf8(work.read("out/report/index.html")).unwrap();
     for part in [
+        "In a minute",
+        "Where it differs",
         "Units and pipelines",
         "Fidelity of the simulator",
         "Stability where methods fail",
@@ -327,6 +329,16 @@ fn reproduce() {
     ] {
         assert!(page.contains(part), "{part}");
     }
+    // Every part that the page names is there, every chart has a name, and every table has a caption and names its columns.
+    for anchor in page.split("href=\"#").skip(1).filter_map(|rest| rest.split('"').next()) {
+        assert!(page.contains(&format!("id=\"{anchor}\"")), "{anchor}");
+    }
+    let count = |part: &str| page.matches(part).count();
+    assert_eq!(count("<svg"), count("role=\"img\""));
+    assert_eq!(
+        (count("<table>"), count("<table>")),
+        (count("<caption>"), count("<thead><tr><th scope=\"col\""))
+    );
     // Every file that the page names is there.
     for link in page.split("href=\"../").skip(1).filter_map(|rest| rest.split('"').next()) {
         assert!(work.path(&format!("out/{link}")).is_file(), "{link}");

@@ -2,8 +2,8 @@
 
 mod commands;
 mod execute;
-mod filter;
-mod hashes;
+pub mod filter;
+pub mod hashes;
 
 use crate::workspace::{Scratch, must_succeed, root, target};
 use anyhow::{Context, ensure};

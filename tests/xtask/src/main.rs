@@ -3,6 +3,7 @@
 //! The crate has few dependencies, so that a cold build of it takes seconds.
 
 mod behaviour;
+mod docs;
 mod kernels;
 mod quick;
 mod times;
@@ -22,6 +23,13 @@ cargo xtask behaviour [--tool PATH] [--threads N] [--only NAME]... [--bless]
     --threads N     threads of the tool, which its results do not depend on [default: 2]
     --only NAME     only this command of the list, or those whose names begin with NAME-; may be repeated
     --bless         rewrites the hashes instead
+
+cargo xtask docs [--check] [--tool PATH] [--only FILE]...
+    Makes the tables and figures of README.md and docs/ that commands print, runs the commands of the guide, and repeats the small
+    runs whose digests stand beside long tables.
+    --check         compares them with those that are there; exit code 1 if one differs
+    --tool PATH     this tool [default: builds that of the tests]
+    --only FILE     only this file, by its path from the root; may be repeated
 
 cargo xtask kernels [--check]
     Compiles the machine's programs from sim/machine/kernels/*.c with Debian's clang 14 (the variable CLANG names another) and writes
@@ -53,13 +61,14 @@ fn run() -> anyhow::Result<bool> {
     match arguments.next()? {
         Some(Value(command)) => match command.string()?.as_str() {
             "behaviour" => behaviour::run(&behaviour::Options::parse(arguments)?),
+            "docs" => docs::run(&docs::Options::parse(arguments)?),
             "kernels" => kernels::run(kernels::parse(arguments)?),
             "quick" => match arguments.next()? {
                 None => quick::run(),
                 Some(argument) => Err(argument.unexpected().into()),
             },
             "times" => times::run(&times::parse(arguments)?),
-            other => anyhow::bail!("{other}: the commands are behaviour, kernels, quick and times"),
+            other => anyhow::bail!("{other}: the commands are behaviour, docs, kernels, quick and times"),
         },
         None | Some(Short('h') | Long("help")) => {
             print!("{HELP}");

@@ -5,6 +5,7 @@
 //! DRAM are those of [`memory::description`].
 
 pub(crate) mod check;
+mod explained;
 mod settings;
 mod timing;
 
@@ -211,23 +212,24 @@ impl MachineDescription {
     /// # Errors
     /// See [`DescriptionError`].
     pub fn load(name_or_file: impl AsRef<Path>, settings: &[String]) -> Result<Self, DescriptionError> {
-        let name_or_file = name_or_file.as_ref();
-        let preset = PRESETS.iter().find(|(name, _)| Path::new(name) == name_or_file);
-        let (source, text) = match preset {
-            Some((name, text)) => (format!("preset {name}"), (*text).to_owned()),
-            None => {
-                let read = base::input::read_text(name_or_file, MOST_BYTES);
-                let text = read.map_err(|error| DescriptionError::Read {
-                    file: name_or_file.display().to_string(),
-                    presets: PRESETS.map(|(name, _)| name).join(", "),
-                    error,
-                })?;
-                (name_or_file.display().to_string(), text)
-            }
-        };
+        let (source, text) = text(name_or_file.as_ref())?;
         let machine = settings::parse(&source, &text, settings)?;
         machine.check()?;
         Ok(machine)
+    }
+
+    /// The machine that [`MachineDescription::load`] gives, as a TOML file with a comment for each key: what it means, its unit and its
+    /// range. Behind a value stands what the preset or the file says behind the same value: where it is from.
+    ///
+    /// # Errors
+    /// See [`DescriptionError`].
+    pub fn explained(
+        name_or_file: impl AsRef<Path>,
+        settings: &[String],
+    ) -> Result<String, DescriptionError> {
+        let machine = Self::load(&name_or_file, settings)?;
+        let (_, text) = text(name_or_file.as_ref())?;
+        Ok(explained::explained(&machine, &text))
     }
 
     /// The machine as a TOML file that [`MachineDescription::load`] reads back.
@@ -260,6 +262,20 @@ impl MachineDescription {
             LoadWords::Line(Line::Line) => self.l1.line_words(),
         }
     }
+}
+
+/// The preset or file `name_or_file`: what messages call it, and its text.
+fn text(name_or_file: &Path) -> Result<(String, String), DescriptionError> {
+    if let Some((name, text)) = PRESETS.iter().find(|(name, _)| Path::new(name) == name_or_file) {
+        return Ok((format!("preset {name}"), (*text).to_owned()));
+    }
+    let read = base::input::read_text(name_or_file, MOST_BYTES);
+    let text = read.map_err(|error| DescriptionError::Read {
+        file: name_or_file.display().to_string(),
+        presets: PRESETS.map(|(name, _)| name).join(", "),
+        error,
+    })?;
+    Ok((name_or_file.display().to_string(), text))
 }
 
 #[cfg(test)]

@@ -3,9 +3,9 @@
 //! The published results are those of D. Lin, E. Vasiou, C. Yuksel, D. Kopta, E. Brunvand, "Hardware-Accelerated Dual-Split
 //! Trees", HPG 2020, as presented there.
 
-use super::row::Row;
+use super::correlation::{Correlation, Direction};
+use super::row::{Row, scenes};
 use serde::Serialize;
-use std::collections::BTreeSet;
 
 /// A claim of the paper, with our result.
 #[derive(Clone, Debug, Serialize)]
@@ -16,7 +16,7 @@ pub struct Claim {
     pub published: String,
     /// The study's result.
     pub ours: String,
-    /// `yes`, `partly` where some scenes agree, `no`, or `-` without data.
+    /// `yes`, `partly` where some scenes agree, `no`, `undecided` where chance explains the result as well, or `-` without data.
     pub holds: &'static str,
 }
 
@@ -35,8 +35,7 @@ struct Table<'a> {
 
 impl Table<'_> {
     fn scenes(&self) -> Vec<&str> {
-        let scenes: BTreeSet<&str> = self.rows.iter().map(|row| row.scene.as_str()).collect();
-        scenes.into_iter().collect()
+        scenes(self.rows)
     }
 
     fn value(&self, scene: &str, test: &str, structure: &str, of: fn(&Row) -> f64) -> Option<f64> {
@@ -216,21 +215,6 @@ fn cuts_everything(table: &Table<'_>, parts: &Grouping) -> Option<Claim> {
     })
 }
 
-/// Kendall's rank correlation.
-fn tau(pairs: &[(f64, f64)]) -> Option<f64> {
-    if pairs.len() < 3 {
-        return None;
-    }
-    let (mut agreeing, mut all) = (0i32, 0i32);
-    for (i, a) in pairs.iter().enumerate() {
-        for b in &pairs[..i] {
-            all += 1;
-            agreeing += if (a.0 > b.0) == (a.1 > b.1) { 1 } else { -1 };
-        }
-    }
-    Some(f64::from(agreeing) / f64::from(all))
-}
-
 /// The claim that the gain over BVH2 grows with the scene, by the rank correlation of triangles and speed-up in path tracing.
 fn growth(table: &Table<'_>) -> Option<Claim> {
     let mut gains = vec![];
@@ -239,12 +223,13 @@ fn growth(table: &Table<'_>) -> Option<Claim> {
         let gain = table.value(scene, "path", "bvh2", time)? / table.value(scene, "path", "dst", time)?;
         gains.push((triangles as f64, gain));
     }
-    let tau = tau(&gains)?;
+    let found = Correlation::of(&gains)?;
     Some(Claim {
-        claim: "path: the gain over bvh2 grows with the scene (Kendall's tau)".to_owned(),
+        claim: "path: the gain over bvh2 grows with the scene (Kendall's tau of triangles and gain)"
+            .to_owned(),
         published: "grows".to_owned(),
-        ours: format!("{tau:+.2}"),
-        holds: if tau > 0.0 { "yes" } else { "no" },
+        ours: format!("{found} over {} scenes", gains.len()),
+        holds: found.holds(Direction::Rises),
     })
 }
 
@@ -261,13 +246,13 @@ fn catching_up(table: &Table<'_>) -> Option<Claim> {
             ));
         }
     }
-    let tau = tau(&gains)?;
+    let found = Correlation::of(&gains)?;
     Some(Claim {
         claim: "dst-sw catches up with dst where memory dominates (Kendall's tau of memory's share and gain)"
             .to_owned(),
         published: "catches up".to_owned(),
-        ours: format!("{tau:+.2}"),
-        holds: if tau < 0.0 { "yes" } else { "no" },
+        ours: format!("{found} over {} frames", gains.len()),
+        holds: found.holds(Direction::Falls),
     })
 }
 
@@ -297,4 +282,26 @@ pub(super) fn csv(claims: &[Claim]) -> anyhow::Result<String> {
         writer.serialize(claim)?;
     }
     Ok(String::from_utf8(writer.into_inner()?)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::jobs::Series;
+    use super::super::row::of_series;
+    use super::*;
+    use std::fs;
+    use std::path::Path;
+
+    #[test]
+    fn the_claims_in_docs_are_those_of_the_runs_in_docs() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/study");
+        let mut reader = ::csv::Reader::from_path(folder.join("study.csv")).unwrap();
+        let rows: Vec<Row> = reader.deserialize().collect::<Result<_, _>>().unwrap();
+        let claims = compare(&of_series(&rows, Series::Main), &of_series(&rows, Series::Scaling));
+        let (file, expected) = (folder.join("comparison.csv"), csv(&claims).unwrap());
+        if std::env::var_os("DUALSPLIT_BLESS").is_some() {
+            fs::write(&file, &expected).unwrap();
+        }
+        assert_eq!(fs::read_to_string(&file).unwrap(), expected, "DUALSPLIT_BLESS=1 writes the file anew");
+    }
 }

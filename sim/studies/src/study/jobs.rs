@@ -39,6 +39,7 @@ impl Preset {
 
 /// The series that a simulation belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(test, derive(serde::Deserialize))]
 #[serde(rename_all = "kebab-case")]
 pub enum Series {
     /// All scenes, structures and tests.

@@ -2,6 +2,7 @@
 //! holds what its run counted, so that the tables are always at the prices of the machine that is asked for.
 
 pub mod comparison;
+mod correlation;
 mod jobs;
 mod plots;
 mod record;

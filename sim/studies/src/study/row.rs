@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// A simulated frame: its scene, structure and machine, and its results.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(serde::Deserialize))]
 #[allow(missing_docs, reason = "keys of result files, with their units")]
 pub struct Row {
     pub preset: String,
@@ -23,6 +24,7 @@ pub struct Row {
     /// Words of a load: 1, 2, 4 or line.
     pub load_words: String,
     /// `layout.alignment` of the machine; 0B where nodes are packed.
+    #[cfg_attr(test, serde(default))]
     pub alignment: String,
     /// Bytes of the nodes and of the gaps between them.
     pub node_bytes: u64,
@@ -130,6 +132,12 @@ impl Row {
     }
 }
 
+/// The scenes of `rows`, in the order of the catalogue.
+pub(super) fn scenes(rows: &[Row]) -> Vec<&str> {
+    let names = scenes::procedural::CATALOGUE.iter().map(|entry| entry.name);
+    names.filter(|name| rows.iter().any(|row| row.scene == *name)).collect()
+}
+
 /// The rows of a series, with those of the main series that belong to it, in the order of the quantity that it varies.
 pub(super) fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
     let belongs = |row: &&Row| {
@@ -144,9 +152,10 @@ pub(super) fn of_series(rows: &[Row], series: Series) -> Vec<Row> {
                 }
     };
     let mut chosen: Vec<Row> = rows.iter().filter(belongs).cloned().collect();
+    let place = |row: &Row| scenes::procedural::CATALOGUE.iter().position(|entry| entry.name == row.scene);
     let key = |row: &Row| {
         let varied = (row.tms, row.load_words.clone(), row.alignment.clone());
-        (row.scene.clone(), row.test.clone(), row.structure.clone(), varied)
+        (place(row), row.test.clone(), row.structure.clone(), varied)
     };
     chosen.sort_by_key(key);
     chosen

@@ -27,7 +27,10 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     let machine = MachineDescription::load(&args.machine.machine, &args.machine.settings)?;
     let scene = match &args.scene {
         Some(scene) => args.load.source(scene, global)?,
-        _ => return Ok(Report::new(&machine, machine.to_toml(), vec![])),
+        _ => {
+            let text = MachineDescription::explained(&args.machine.machine, &args.machine.settings)?;
+            return Ok(Report::new(&machine, text, vec![]));
+        }
     };
     let options = Options {
         scene,

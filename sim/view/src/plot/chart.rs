@@ -1,8 +1,10 @@
 //! Charts of points and lines over two axes.
 
+use super::labels::{Label, places};
 use super::legend::Legend;
 use super::log_scale::LogScale;
-use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, TOP, WIDTH, colour, number, responsive};
+use super::palette::colour;
+use super::{FONT, FONT_PX, GRID, INK, TITLE_PX, TOP, WIDTH, number, responsive};
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -127,7 +129,7 @@ impl Chart {
             };
             drawn.and_then(|()| root.present()).expect("a string accepts a drawing");
         }
-        responsive(&svg, WIDTH, height)
+        responsive(&svg, &self.title, WIDTH, height)
     }
 
     fn draw<B: DrawingBackend, X, Y>(
@@ -149,8 +151,9 @@ impl Chart {
         for entry in &legend.entries {
             let (x, y) = (entry.x, TOP + entry.y + 6);
             let outline = marker_outline(entry.series).into_iter().map(|(dx, dy)| (x + 6 + dx, y + dy));
-            root.draw(&Polygon::new(outline.collect::<Vec<_>>(), colour(entry.series).filled()))?;
-            root.draw(&Text::new(self.series[entry.series].name.clone(), (x + 17, y), middle.clone()))?;
+            let name = &self.series[entry.series].name;
+            root.draw(&Polygon::new(outline.collect::<Vec<_>>(), colour(name, entry.series).filled()))?;
+            root.draw(&Text::new(name.clone(), (x + 17, y), middle.clone()))?;
         }
         let mut chart = ChartBuilder::on(root)
             .margin(10)
@@ -170,34 +173,42 @@ impl Chart {
             .x_label_formatter(&|v| number(*v))
             .y_label_formatter(&|v| number(*v))
             .draw()?;
-        let marker = |(x, y): (f64, f64), index: usize| {
-            let style = colour(index).filled();
-            EmptyElement::at((x, y)) + Polygon::new(marker_outline(index), style)
-        };
+        let (mut labels, mut points) = (vec![], vec![]);
         for (index, series) in self.series.iter().enumerate() {
+            let colour = colour(&series.name, index);
             let shown: Vec<&Point> =
                 series.points.iter().filter(|p| self.x.shows(p.x) && self.y.shows(p.y)).collect();
             if series.style == Style::Line {
                 let line = shown.iter().map(|p| (p.x, p.y));
-                chart.draw_series(LineSeries::new(line, colour(index).stroke_width(2)))?;
+                chart.draw_series(LineSeries::new(line, colour.stroke_width(2)))?;
             }
             for point in &shown {
                 if let Some((low, high)) =
                     point.y_range.filter(|&(low, high)| self.y.shows(low) && self.y.shows(high))
                 {
-                    let bar =
-                        PathElement::new([(point.x, low), (point.x, high)], colour(index).stroke_width(1));
+                    let bar = PathElement::new([(point.x, low), (point.x, high)], colour.stroke_width(1));
                     chart.draw_series([bar])?;
                 }
             }
-            chart.draw_series(shown.iter().map(|p| marker((p.x, p.y), index)))?;
+            let marker = |p: &&Point| {
+                EmptyElement::at((p.x, p.y)) + Polygon::new(marker_outline(index), colour.filled())
+            };
+            chart.draw_series(shown.iter().map(marker))?;
             let rings = shown.iter().filter(|p| p.marked);
             chart.draw_series(rings.map(|p| Circle::new((p.x, p.y), MARKER + 4, INK.stroke_width(1))))?;
-            let labels = shown.iter().filter_map(|p| Some(((p.x, p.y), p.label.clone()?)));
-            let style = (FONT, FONT_PX - 2).into_font().color(&INK);
-            chart.draw_series(
-                labels.map(|(at, label)| EmptyElement::at(at) + Text::new(label, (8, -14), style.clone())),
-            )?;
+            for point in &shown {
+                let at = chart.backend_coord(&(point.x, point.y));
+                points.push(at);
+                labels.extend(point.label.clone().map(|text| Label { text, at }));
+            }
+        }
+        let (across, down) = chart.plotting_area().get_pixel_range();
+        let style = (FONT, FONT_PX - 2).into_font().color(&INK);
+        let area = [across.start, down.start, across.end, down.end];
+        for (label, place) in labels.iter().zip(places(&labels, &points, area)) {
+            if let Some(place) = place {
+                root.draw(&Text::new(label.text.clone(), place, style.clone()))?;
+            }
         }
         Ok(())
     }
@@ -239,9 +250,16 @@ mod tests {
             series: vec![series, second],
         };
         let svg = chart.svg();
-        for text in
-            ["Precision", "significand (bits)", "energy (mJ)", "naive", "conservative", "8 bits", "<circle"]
-        {
+        for text in [
+            "role=\"img\"",
+            "<title>Precision</title>",
+            "significand (bits)",
+            "energy (mJ)",
+            "naive",
+            "conservative",
+            "8 bits",
+            "<circle",
+        ] {
             assert!(svg.contains(text), "{text} in {svg}");
         }
         assert_eq!(svg, chart.svg());

@@ -1,31 +1,20 @@
 //! Charts as SVG, for files and for the report's page.
 //!
 //! [`Bars`] compares quantities, with the number beside each bar. [`Chart`] draws points and lines over two axes, with error bars
-//! and labels. Colours are those of Okabe and Ito, which colour-blind readers can tell apart, and series differ in their markers
-//! too. [`Bars::max`] gives several charts the same scale. The program that shows a file draws its text, so the bytes do not
-//! depend on the machine's fonts.
+//! and labels. A structure has one colour in all charts ([`palette`]), and series differ in their markers too. [`Bars::max`] gives
+//! several charts the same scale. The program that shows a file draws its text, so the bytes do not depend on the machine's fonts.
 
 mod bars;
 mod chart;
+mod labels;
 mod legend;
 mod log_scale;
+mod palette;
 
 pub use bars::Bars;
 pub use chart::{Axis, Chart, Point, Series, Style};
 
 use plotters::prelude::RGBColor;
-
-/// Okabe and Ito's palette with a grey for its yellow, which is hard to see on white.
-const PALETTE: [RGBColor; 8] = [
-    RGBColor(0, 114, 178),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 0, 0),
-    RGBColor(153, 153, 153),
-];
 
 /// Colour of text and axes.
 const INK: RGBColor = RGBColor(40, 40, 40);
@@ -37,11 +26,6 @@ const TITLE_PX: u32 = 18;
 const WIDTH: u32 = 760;
 /// Pixels above the legend, for the title.
 const TOP: i32 = 34;
-
-/// Colour of the series at `index`.
-fn colour(index: usize) -> RGBColor {
-    PALETTE[index % PALETTE.len()]
-}
 
 /// Estimated width of `text` in pixels at [`FONT_PX`].
 fn text_width(text: &str) -> u32 {
@@ -62,10 +46,19 @@ pub fn number(x: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// An SVG that fills the width of the page that shows it, up to its own width.
-fn responsive(svg: &str, width: u32, height: u32) -> String {
+/// An SVG that fills the width of the page that shows it, up to its own width, and that a screen reader calls `title`.
+fn responsive(svg: &str, title: &str, width: u32, height: u32) -> String {
     let fixed = format!("width=\"{width}\" height=\"{height}\"");
-    svg.replacen(&fixed, &format!("style=\"width:100%;max-width:{width}px;height:auto\""), 1)
+    let fluid = format!("role=\"img\" style=\"width:100%;max-width:{width}px;height:auto\"");
+    let svg = svg.replacen(&fixed, &fluid, 1);
+    let Some((head, body)) = svg.split_once('>') else { return svg };
+    format!("{head}>\n<title>{}</title>{body}", escape(title))
+}
+
+/// `text` as HTML and SVG have it.
+#[must_use]
+pub fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The parts of a page, and its HTML.
 
+use crate::plot::escape;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::fmt::Write;
@@ -20,13 +21,13 @@ pub struct Page {
 pub struct Section {
     /// The heading. Its anchor is the same text in lower case with hyphens.
     pub title: String,
-    /// Paragraphs below the heading.
+    /// Paragraphs below the heading. `[words](#anchor)` is a link to another part of the page.
     pub text: Vec<String>,
     /// Tables, charts and pictures below the text, in order.
     pub items: Vec<Item>,
 }
 
-/// A table, a chart, or a row of pictures.
+/// A table, a chart, a row of pictures, or more of them.
 #[derive(Clone, Debug)]
 pub enum Item {
     /// A table.
@@ -35,11 +36,17 @@ pub enum Item {
     Figure(Figure),
     /// Pictures side by side.
     Pictures(Vec<Picture>),
+    /// A paragraph, as in [`Section::text`].
+    Text(String),
+    /// Items that the reader unfolds, below a line that says what they are.
+    Folded(String, Vec<Item>),
 }
 
-/// A table. Columns whose cells are all numbers are aligned to the right.
+/// A table. Columns whose cells are all numbers are aligned to the right; the first cell of a row names it.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
+    /// What the table shows.
+    pub caption: String,
     /// Column headings.
     pub header: Vec<String>,
     /// Cells, as many in each row as headings.
@@ -73,10 +80,15 @@ pub struct Picture {
 }
 
 impl Table {
-    /// A table with this header and these rows.
+    /// A table with this caption, this header and these rows.
     #[must_use]
-    pub fn new<const N: usize>(header: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> Self {
+    pub fn new<const N: usize>(
+        caption: &str,
+        header: [&str; N],
+        rows: impl IntoIterator<Item = [String; N]>,
+    ) -> Self {
         Self {
+            caption: caption.to_owned(),
             header: header.map(str::to_owned).to_vec(),
             rows: rows.into_iter().map(|row| row.to_vec()).collect(),
             ..Self::default()
@@ -97,17 +109,35 @@ impl Table {
             self.rows.iter().all(|row| row.get(column).is_none_or(is_number))
         };
         let class = |column: usize| if number(column) { " class=\"number\"" } else { "" };
-        let cells = |tag: &str, cells: &[String]| {
-            let cells = cells.iter().enumerate();
-            cells.map(|(c, cell)| format!("<{tag}{}>{}</{tag}>", class(c), escape(cell))).collect::<String>()
+        let cell = |column: usize, text: &String| match column {
+            0 => format!("<th scope=\"row\"{}>{}</th>", class(0), escape(text)),
+            _ => format!("<td{}>{}</td>", class(column), escape(text)),
         };
-        let rows: String = self.rows.iter().map(|row| format!("<tr>{}</tr>\n", cells("td", row))).collect();
-        format!(
-            "<div class=\"scroll\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n{}",
-            cells("th", &self.header),
-            paragraph("p class=\"source\"", &source(&self.csv, &self.command))
-        )
+        let row = |cells: &Vec<String>| {
+            let cells: String = cells.iter().enumerate().map(|(column, text)| cell(column, text)).collect();
+            format!("<tr>{cells}</tr>\n")
+        };
+        let head = self.header.iter().enumerate();
+        let head = head.map(|(c, text)| format!("<th scope=\"col\"{}>{}</th>", class(c), escape(text)));
+        scrolling(
+            &self.caption,
+            &format!(
+                "<table>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>\n</table>",
+                escape(&self.caption),
+                head.collect::<String>(),
+                self.rows.iter().map(row).collect::<String>()
+            ),
+        ) + &paragraph("p class=\"source\"", &source(&self.csv, &self.command))
     }
+}
+
+/// `html` in a box that scrolls sideways where the page is too narrow for it, and then says so. A screen reader calls it `name`.
+fn scrolling(name: &str, html: &str) -> String {
+    format!(
+        "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">{html}</div>\n\
+         <p class=\"hint\" aria-hidden=\"true\">scrolls sideways \u{2194}</p>\n",
+        escape(name)
+    )
 }
 
 impl Page {
@@ -134,9 +164,10 @@ impl Page {
         format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-             <title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
+             <title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{body}<script>\n{}</script>\n</body>\n</html>\n",
             escape(&self.title),
-            include_str!("style.css")
+            include_str!("style.css"),
+            include_str!("scroll.js")
         )
     }
 }
@@ -146,14 +177,19 @@ impl Item {
         match self {
             Self::Table(table) => table.html(),
             Self::Figure(figure) => format!(
-                "<figure>\n<div class=\"scroll\">{}</div>\n<figcaption>{} {}</figcaption>\n</figure>\n",
-                figure.svg.trim(),
+                "<figure>\n{}<figcaption>{} {}</figcaption>\n</figure>\n",
+                scrolling(&figure.caption, figure.svg.trim()),
                 escape(&figure.caption),
                 source(&figure.csv, &figure.command)
             ),
             Self::Pictures(pictures) => {
                 let pictures: String = pictures.iter().map(Picture::html).collect();
                 format!("<div class=\"pictures\">\n{pictures}</div>\n")
+            }
+            Self::Text(text) => paragraph("p", &linked(text)),
+            Self::Folded(summary, items) => {
+                let items: String = items.iter().map(Self::html).collect();
+                format!("<details>\n<summary>{}</summary>\n{items}</details>\n", escape(summary))
             }
         }
     }
@@ -182,7 +218,26 @@ fn source(csv: &str, command: &str) -> String {
 }
 
 fn paragraphs(texts: &[String]) -> String {
-    texts.iter().map(|text| paragraph("p", &escape(text))).collect()
+    texts.iter().map(|text| paragraph("p", &linked(text))).collect()
+}
+
+/// `text` as HTML, with its links.
+fn linked(text: &str) -> String {
+    let mut html = String::new();
+    let mut rest = text;
+    while let Some((before, words, target, after)) = link(rest) {
+        let _ = write!(html, "{}<a href=\"{}\">{}</a>", escape(before), escape(target), escape(words));
+        rest = after;
+    }
+    html + &escape(rest)
+}
+
+/// The first link of `text`: what is before it, its words, its target, and what is behind it.
+fn link(text: &str) -> Option<(&str, &str, &str, &str)> {
+    let middle = text.find("](#")?;
+    let start = text[..middle].rfind('[')?;
+    let end = middle + text[middle..].find(')')?;
+    Some((&text[..start], &text[start + 1..middle], &text[middle + 2..end], &text[end + 1..]))
 }
 
 /// A paragraph, or an empty string if there is no text.
@@ -199,17 +254,13 @@ fn anchor(title: &str) -> String {
         .join("-")
 }
 
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn a_page_holds_everything_and_loads_nothing() {
-        let table = Table::new(["unit", "area"], [["fp_add <1>".to_owned(), "3.5".to_owned()]])
+        let table = Table::new("Units", ["unit", "area"], [["fp_add <1>".to_owned(), "3.5".to_owned()]])
             .from("a.csv", "dualsplit a");
         let figure = Figure { svg: "<svg></svg>".into(), caption: "A & B".into(), ..Figure::default() };
         let picture = Picture { png: vec![1, 2, 3], caption: "atrium".into() };
@@ -218,15 +269,24 @@ mod tests {
             summary: vec!["What was built.".into()],
             sections: vec![Section {
                 title: "Units, pipelines".into(),
-                items: vec![Item::Table(table), Item::Figure(figure), Item::Pictures(vec![picture])],
-                ..Section::default()
+                text: vec!["See [the units](#units-pipelines), [1] <2>.".into()],
+                items: vec![
+                    Item::Table(table),
+                    Item::Folded("More".into(), vec![Item::Figure(figure), Item::Pictures(vec![picture])]),
+                ],
             }],
         };
         let html = page.html();
         for part in [
             "<a href=\"#units-pipelines\">",
             "<h2 id=\"units-pipelines\">",
-            "<td>fp_add &lt;1&gt;</td><td class=\"number\">3.5</td>",
+            "<caption>Units</caption>",
+            "<th scope=\"col\">unit</th><th scope=\"col\" class=\"number\">area</th>",
+            "<th scope=\"row\">fp_add &lt;1&gt;</th><td class=\"number\">3.5</td>",
+            "See <a href=\"#units-pipelines\">the units</a>, [1] &lt;2&gt;.",
+            "<details>\n<summary>More</summary>",
+            "aria-label=\"A &amp; B\"",
+            "scrolls sideways",
             "<a href=\"a.csv\">",
             "<code>dualsplit a</code>",
             "A &amp; B",

@@ -92,7 +92,7 @@ fn records(text: &str) -> Vec<&str> {
 }
 
 /// The cells of a record with their quotes.
-fn cells(record: &str) -> Vec<&str> {
+pub fn cells(record: &str) -> Vec<&str> {
     split(record, ',', false)
 }
 

@@ -9,6 +9,15 @@ use std::path::Path;
 /// Bytes of a hash that are kept.
 const BYTES: usize = 16;
 
+/// The hash of `bytes` in hexadecimal digits.
+pub fn digest(bytes: &[u8]) -> String {
+    let mut hash = String::new();
+    for byte in &Sha256::digest(bytes)[..BYTES] {
+        let _ = write!(hash, "{byte:02x}");
+    }
+    hash
+}
+
 /// What one command printed or wrote.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
@@ -20,11 +29,7 @@ pub struct Entry {
 impl Entry {
     /// The artifact `artifact` of `command`, which holds `bytes`.
     pub fn new(command: &str, artifact: &str, bytes: &[u8]) -> Self {
-        let mut hash = String::new();
-        for byte in &Sha256::digest(bytes)[..BYTES] {
-            let _ = write!(hash, "{byte:02x}");
-        }
-        Self { hash, command: command.to_owned(), artifact: artifact.to_owned() }
+        Self { hash: digest(bytes), command: command.to_owned(), artifact: artifact.to_owned() }
     }
 
     fn is_of(&self, other: &Self) -> bool {

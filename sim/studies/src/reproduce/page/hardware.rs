@@ -8,12 +8,19 @@ use pipelines::catalogue::{StandardFormat, Top};
 use serde_json::Value;
 use view::report::{Item, Section, Table};
 
+/// The operations that `check` compared, and the number of those that differ.
+pub fn compared(check: &Outcome) -> (u64, u64) {
+    let units = rows(&check.report["units"]);
+    let count = |key: &str| units.iter().filter_map(|unit| unit[key].as_u64()).sum::<u64>();
+    (count("vectors"), count("mismatches"))
+}
+
 /// The check of the simulated netlists against golden.
 pub fn equivalence(check: &Outcome) -> Section {
     let units = rows(&check.report["units"]);
-    let count = |key: &str| units.iter().filter_map(|unit| unit[key].as_u64()).sum::<u64>();
-    let (vectors, mismatches) = (count("vectors"), count("mismatches"));
+    let (vectors, mismatches) = compared(check);
     let table = Table::new(
+        "Simulated netlists against the exact software",
         ["unit", "operations", "mismatches", "operations per second"],
         units.iter().map(|unit| {
             ["name", "vectors", "mismatches", "vectors_per_second"].map(|key| match key {
@@ -80,7 +87,10 @@ fn costs(estimate: &Outcome) -> Item {
         }
     }
     let header = ["pipeline", "method", "mm2", "of it glue", "nJ", "of it glue", "source"];
-    Item::Table(Table::new(header, lines).from("../stages/estimate.json", &estimate.command))
+    Item::Table(
+        Table::new("Cost of the pipelines by method", header, lines)
+            .from("../stages/estimate.json", &estimate.command),
+    )
 }
 
 fn inventory() -> anyhow::Result<Item> {
@@ -123,5 +133,5 @@ fn inventory() -> anyhow::Result<Item> {
         "published (nJ)",
         "register bits",
     ];
-    Ok(Item::Table(Table::new(header, rows).from("", "cargo test --test netlist")))
+    Ok(Item::Table(Table::new("Units of the pipelines", header, rows).from("", "cargo test --test netlist")))
 }

@@ -1,10 +1,10 @@
 //! The sections about frame time and energy of the eight structures.
 
 use super::super::stages::Outcome;
-use super::{Results, cell, rows};
+use super::{Results, cell, claims, rows};
 use machine::frame::MachineStructure;
+use scenes::procedural::CATALOGUE;
 use serde_json::Value;
-use std::collections::BTreeSet;
 use view::plot::Bars;
 use view::report::{Figure, Item, Section, Table};
 
@@ -12,13 +12,10 @@ const CSV: &str = "../study/study.csv";
 
 /// The sections that show the study; none if the job has no study.
 pub fn sections(results: &Results<'_>) -> anyhow::Result<Vec<Section>> {
-    // Where the study has several parts, the last has the rows of all.
-    let Some((_, study)) = results.outcomes.iter().rfind(|(name, _)| name.starts_with("study")) else {
-        return Ok(vec![]);
-    };
+    let Some(study) = results.study() else { return Ok(vec![]) };
     let study = &Outcome { command: of_all_scenes(&study.command), ..study.clone() };
     let all = rows(&study.report["rows"]);
-    Ok(vec![times(study, all), split(study, all), scaling(results, study)?])
+    Ok(vec![times(results, study, all)?, split(study, all), scaling(results, study)?])
 }
 
 /// The command for all scenes that stands for the commands for single scenes.
@@ -30,40 +27,11 @@ fn of_all_scenes(command: &str) -> String {
     words.join(" ")
 }
 
-fn scenes(all: &[Value]) -> Vec<&str> {
-    let names: BTreeSet<&str> = all.iter().filter_map(|row| row["scene"].as_str()).collect();
-    names.into_iter().collect()
-}
-
 fn find<'a>(all: &'a [Value], scene: &str, test: &str, structure: &str) -> Option<&'a Value> {
     all.iter().find(|row| row["scene"] == scene && row["test"] == test && row["structure"] == structure)
 }
 
-/// A bar chart of one quantity over all structures and scenes. The charts of both tests have the same scale.
-fn bars(study: &Outcome, all: &[Value], test: &str, (title, unit, key): (&str, &str, &str)) -> Item {
-    let scenes = scenes(all);
-    let value =
-        |scene: &&str, structure: MachineStructure| find(all, scene, test, structure.name())?[key].as_f64();
-    let series = MachineStructure::ALL.map(|structure| {
-        (structure.name().to_owned(), scenes.iter().map(|scene| value(scene, structure)).collect())
-    });
-    let bars = Bars {
-        title: format!("{title}, {test}"),
-        unit: unit.to_owned(),
-        categories: scenes.iter().map(|scene| (*scene).to_owned()).collect(),
-        series: series.to_vec(),
-        stacked: false,
-        max: all.iter().filter_map(|row| row[key].as_f64()).reduce(f64::max),
-    };
-    Item::Figure(Figure {
-        svg: bars.svg(),
-        caption: "Both tests on one scale.".into(),
-        csv: CSV.into(),
-        command: study.command.clone(),
-    })
-}
-
-fn times(study: &Outcome, all: &[Value]) -> Section {
+fn times(results: &Results<'_>, study: &Outcome, all: &[Value]) -> anyhow::Result<Section> {
     let sample = all.first().map_or(String::new(), |row| {
         let rays: u64 = all.iter().filter_map(|row| row["rays"].as_u64()).sum();
         format!(
@@ -76,35 +44,37 @@ fn times(study: &Outcome, all: &[Value]) -> Section {
         )
     });
     let mut items = vec![];
-    for quantity in [("Frame time", "ms", "frame_ms"), ("Energy", "mJ", "energy_mj")] {
+    for (file, quantity) in [("time", "Frame time"), ("energy", "Energy")] {
         for test in ["raycast", "path"] {
-            items.push(bars(study, all, test, quantity));
+            let file = format!("{file}-{test}.svg");
+            let caption = format!("{quantity} of each structure in each scene, {test}.");
+            items.push(results.figure(study, "study", (&file, "study.csv"), &caption)?);
         }
     }
-    let claims = rows(&study.report["comparison"]);
-    let header = ["claim", "published", "here", "holds"];
-    let keys = ["claim", "published", "ours", "holds"];
-    let table = Table::new(header, claims.iter().map(|claim| keys.map(|key| cell(&claim[key]))));
-    items.push(Item::Table(table.from("../study/comparison.csv", &study.command)));
-    Section {
-        title: "Frame time and energy".into(),
-        text: vec![
-            "dst has the dual-split pipeline, dst-sw decodes its nodes in software; bvh2, bvh4 and bvh8 share one ray-box \
-             pipeline a multiprocessor, those with + have one for each child."
-                .into(),
-            format!("{sample} The table compares with the published results, which are of full size."),
-        ],
-        items,
-    }
+    items.push(Item::Table(claims::table(study, results.is_full_size())));
+    let small = "Frames so small and scenes so coarse say little about how large a gain is, and some claims are judged otherwise at full \
+                 size: see [the study at full size](#the-study-at-full-size).";
+    let mut text = vec![
+        "dst has the dual-split pipeline, dst-sw decodes its nodes in software; bvh2, bvh4 and bvh8 share one ray-box \
+         pipeline a multiprocessor, those with + have one for each child."
+            .into(),
+        sample,
+    ];
+    text.extend((!results.is_full_size()).then(|| small.to_owned()));
+    Ok(Section { title: "Frame time and energy".into(), text, items })
 }
 
 /// Energy of some structures by memory, caches and computation, on one scale.
 fn split(study: &Outcome, all: &[Value]) -> Section {
     const SHOWN: [&str; 4] = ["dst", "dst-sw", "bvh2", "bvh8"];
     const PARTS: [(&str, &str); 3] = [("DRAM", "dram_mj"), ("cache", "cache_mj"), ("compute", "compute_mj")];
-    let chosen: Vec<&Value> = scenes(all)
-        .into_iter()
-        .flat_map(|scene| SHOWN.iter().filter_map(move |structure| find(all, scene, "path", structure)))
+    let shown =
+        |scene: &'static str| SHOWN.iter().filter_map(move |structure| find(all, scene, "path", structure));
+    let chosen: Vec<&Value> = CATALOGUE.iter().flat_map(|entry| shown(entry.name)).collect();
+    let dst = MachineStructure::Dst.name();
+    let reference: Vec<Option<f64>> = chosen
+        .iter()
+        .map(|row| find(all, row["scene"].as_str()?, "path", dst)?["energy_mj"].as_f64())
         .collect();
     let bars = Bars {
         title: "Energy by component, path".into(),
@@ -117,8 +87,9 @@ fn split(study: &Outcome, all: &[Value]) -> Section {
             .map(|(name, key)| (name.to_owned(), chosen.iter().map(|row| row[key].as_f64()).collect()))
             .to_vec(),
         stacked: true,
-        max: None,
+        ..Bars::default()
     };
+    let bars = bars.in_multiples_of(dst, &reference);
     let header = [
         "scene",
         "structure",
@@ -139,7 +110,11 @@ fn split(study: &Outcome, all: &[Value]) -> Section {
         "execution_mj",
         "energy_mj",
     ];
-    let table = Table::new(header, chosen.iter().map(|row| keys.map(|key| cell(&row[key]))));
+    let table = Table::new(
+        "Energy by component, path",
+        header,
+        chosen.iter().map(|row| keys.map(|key| cell(&row[key]))),
+    );
     Section {
         title: "Where the energy goes".into(),
         text: vec![
@@ -151,7 +126,7 @@ fn split(study: &Outcome, all: &[Value]) -> Section {
         items: vec![
             Item::Figure(Figure {
                 svg: bars.svg(),
-                caption: "One scale for all.".into(),
+                caption: "Energy by component, path tracing.".into(),
                 csv: CSV.into(),
                 command: study.command.clone(),
             }),
@@ -161,14 +136,36 @@ fn split(study: &Outcome, all: &[Value]) -> Section {
 }
 
 fn scaling(results: &Results<'_>, study: &Outcome) -> anyhow::Result<Section> {
+    let all = rows(&study.report["scaling"]);
+    let mut tms: Vec<u64> = all.iter().filter_map(|row| row["tms"].as_u64()).collect();
+    tms.sort_unstable();
+    tms.dedup();
+    let cycles = |structure: &str, tms: u64| {
+        all.iter().find(|row| row["structure"] == structure && row["tms"] == tms)?["cycles"].as_f64()
+    };
+    let line = |structure: MachineStructure| {
+        let one = cycles(structure.name(), *tms.first()?)?;
+        let speed_up =
+            |tms: &u64| cycles(structure.name(), *tms).map_or(String::new(), |n| format!("{:.2}", one / n));
+        Some([structure.name().to_owned()].into_iter().chain(tms.iter().map(speed_up)).collect())
+    };
+    let table = Table {
+        caption: "Speed-up by number of multiprocessors".into(),
+        header: ["structure".to_owned()].into_iter().chain(tms.iter().map(u64::to_string)).collect(),
+        rows: MachineStructure::ALL.into_iter().filter_map(line).collect(),
+        ..Table::default()
+    };
     Ok(Section {
         title: "Scaling".into(),
         text: vec![
-            "Speed-up over the fewest multiprocessors. A small frame is soon shared out; full-size scaling is that of the \
-             preset paper."
+            "Speed-up over the fewest multiprocessors as a share of the ideal one, which is 1. A small frame is soon shared out; \
+             full-size scaling is that of the preset paper."
                 .into(),
         ],
-        items: vec![results.figure(study, "study", ("scaling.svg", "study.csv"), "Path tracing.")?],
+        items: vec![
+            results.figure(study, "study", ("scaling.svg", "study.csv"), "Speed-up over the ideal, path tracing.")?,
+            Item::Table(table.from(CSV, &study.command)),
+        ],
     })
 }
 

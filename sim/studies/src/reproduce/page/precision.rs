@@ -1,7 +1,7 @@
-//! The sections about speed against accuracy, of the hardware and of the simulator, about stability, and about needs.
+//! The sections about speed against accuracy, of the hardware and of the simulator, and about needs.
 
 use super::super::stages::Outcome;
-use super::{Results, cell, rows};
+use super::{Results, cell, rows, stability};
 use serde_json::Value;
 use view::report::{Item, Section, Table};
 
@@ -14,7 +14,9 @@ pub fn sections(results: &Results<'_>) -> anyhow::Result<Vec<Section>> {
     if let Some(outcome) = results.outcome("fidelity") {
         sections.push(fidelity(results, outcome)?);
     }
-    sections.extend(results.outcome("stress").map(stability));
+    if let Some(outcome) = results.outcome("stress") {
+        sections.push(stability::section(outcome, &results.folder.join("stress"))?);
+    }
     sections.extend(needs(results));
     Ok(sections)
 }
@@ -49,7 +51,8 @@ fn precision(results: &Results<'_>, outcome: &Outcome) -> anyhow::Result<Section
     ];
     let header =
         ["format", "variant", "visits/ray", "false misses", "RMSE", "frame ms", "area um2", "pJ/ray"];
-    let table = Table::new(header, named.map(|point| keys.map(|key| cell(&point[key]))));
+    let caption = "Formats that have names";
+    let table = Table::new(caption, header, named.map(|point| keys.map(|key| cell(&point[key]))));
     items.push(Item::Table(table.from("../precision/precision.csv", &outcome.command)));
     let mut text = vec![format!(
         "Traversal in every format of the floating-point units, everything rounded to nearest (naive) or to bounds \
@@ -101,7 +104,8 @@ fn fidelity(results: &Results<'_>, outcome: &Outcome) -> anyhow::Result<Section>
             number(point, "energy_interval_pct", 2),
         ]
     });
-    let table = Table::new(header, lines).from("../fidelity/fidelity.csv", &outcome.command);
+    let caption = "Levels and samples against the whole frame";
+    let table = Table::new(caption, header, lines).from("../fidelity/fidelity.csv", &outcome.command);
     Ok(Section {
         title: "Fidelity of the simulator".into(),
         text: vec![
@@ -117,55 +121,6 @@ fn fidelity(results: &Results<'_>, outcome: &Outcome) -> anyhow::Result<Section>
             Item::Table(table),
         ],
     })
-}
-
-/// Counts of wrong results by method, summed over all cases.
-fn stability(outcome: &Outcome) -> Section {
-    const KEYS: [&str; 7] =
-        ["rays", "false_misses", "false_hits", "wrong_nearest", "nan", "lost", "excess_visits"];
-    let cells = rows(&outcome.report["cells"]);
-    let mut methods: Vec<(&str, [u64; 7], u64)> = vec![];
-    for one in cells {
-        let Some(name) = one["method"].as_str() else { continue };
-        let at = methods.iter().position(|(other, ..)| *other == name).unwrap_or_else(|| {
-            methods.push((name, [0; 7], 0));
-            methods.len() - 1
-        });
-        for (sum, key) in methods[at].1.iter_mut().zip(KEYS) {
-            *sum += one[key].as_u64().unwrap_or(0);
-        }
-        methods[at].2 += one["triangle_test"].as_u64().unwrap_or(0);
-    }
-    let rays: u64 = methods.iter().map(|(_, sums, _)| sums[0]).sum();
-    let header = [
-        "method",
-        "rays",
-        "false misses",
-        "false hits",
-        "wrong nearest",
-        "NaN",
-        "lost by traversal",
-        "excess visits",
-        "wrong by triangle test",
-    ];
-    let lines = methods.iter().map(|(name, sums, triangle_test)| {
-        let mut line: [String; 9] = Default::default();
-        line[0] = (*name).to_owned();
-        line[1..8].iter_mut().zip(sums).for_each(|(cell, sum)| *cell = sum.to_string());
-        line[8] = triangle_test.to_string();
-        line
-    });
-    let table = Table::new(header, lines).from("../stress/stress.csv", &outcome.command);
-    Section {
-        title: "Stability where methods fail".into(),
-        text: vec![format!(
-            "Every structure and arithmetic, and the netlists, on inputs made to break them: the 33 known cases, rays aimed at \
-             corners, edges and faces, and rays that a search walks towards the worst, one unit in the last place at a time. \
-             Judged by exact rational arithmetic; {rays} rays in all. Robust and conservative methods must lose none; naive and \
-             fast ones show what happens without."
-        )],
-        items: vec![Item::Table(table)],
-    }
 }
 
 fn needs(results: &Results<'_>) -> Option<Section> {
@@ -196,7 +151,12 @@ fn needs(results: &Results<'_>) -> Option<Section> {
         "cache bytes",
         "TMs until memory-bound",
     ];
-    let table = Table::new(header, all.iter().map(|(_, outcome)| keys.map(|key| cell(&outcome.report[key]))));
+    let caption = "The least hardware for each scene";
+    let table = Table::new(
+        caption,
+        header,
+        all.iter().map(|(_, outcome)| keys.map(|key| cell(&outcome.report[key]))),
+    );
     Some(Section {
         title: "No more than a scene needs".into(),
         text: vec![

@@ -7,32 +7,36 @@ use render::Test;
 use view::plot::{Bars, number};
 use view::report::{Figure, Item, Section, Table};
 
-/// A series for each structure, with a value for each scene.
-fn by_structure<'a>(
-    document: &'a Document,
-    value: impl Fn(&'a SceneResult, StructureKind) -> Option<f64>,
-) -> Vec<(String, Vec<Option<f64>>)> {
-    let series = |kind: StructureKind| {
-        (kind.name().to_owned(), document.scenes.iter().map(|scene| value(scene, kind)).collect())
-    };
-    StructureKind::ALL.into_iter().map(series).collect()
-}
+/// The structure that all others are compared with.
+const REFERENCE: StructureKind = StructureKind::Dst;
 
-fn scene_names(document: &Document) -> Vec<String> {
-    document.scenes.iter().map(|scene| scene.scene.clone()).collect()
+/// A chart with the value of each structure in each scene, in multiples of the dual-split tree's.
+fn ratios<'a>(
+    document: &'a Document,
+    (title, unit): (&str, &str),
+    value: impl Fn(&'a SceneResult, StructureKind) -> Option<f64>,
+) -> Bars {
+    let values = |kind: StructureKind| -> Vec<Option<f64>> {
+        document.scenes.iter().map(|scene| value(scene, kind)).collect()
+    };
+    let series = StructureKind::ALL.into_iter().map(|kind| (kind.name().to_owned(), values(kind)));
+    let bars = Bars {
+        title: title.to_owned(),
+        unit: unit.to_owned(),
+        categories: document.scenes.iter().map(|scene| scene.scene.clone()).collect(),
+        series: series.collect(),
+        ..Bars::default()
+    };
+    bars.in_multiples_of(REFERENCE.name(), &values(REFERENCE))
 }
 
 pub fn trees(document: &Document) -> Section {
     let structure = |scene: &SceneResult, kind: StructureKind| {
         scene.structures.iter().position(|s| s.name == kind.name()).map(|at| scene.structures[at].clone())
     };
-    let bars = Bars {
-        title: "Size of the tree".into(),
-        unit: "bytes per triangle".into(),
-        categories: scene_names(document),
-        series: by_structure(document, |scene, kind| Some(structure(scene, kind)?.bytes_per_triangle)),
-        ..Bars::default()
-    };
+    let bars = ratios(document, ("Size of the tree", "bytes per triangle"), |scene, kind| {
+        Some(structure(scene, kind)?.bytes_per_triangle)
+    });
     let rows = document.scenes.iter().filter_map(|scene| {
         let (bvh2, dst) = (structure(scene, StructureKind::Bvh2)?, structure(scene, StructureKind::Dst)?);
         Some([
@@ -64,11 +68,11 @@ pub fn trees(document: &Document) -> Section {
         items: vec![
             Item::Figure(Figure {
                 svg: bars.svg(),
-                caption: "Nodes without their triangles.".into(),
+                caption: "Size of the tree: nodes without their triangles.".into(),
                 csv: "../trees.csv".into(),
                 command: command(document),
             }),
-            Item::Table(Table::new(header, rows).from("../trees.csv", &command(document))),
+            Item::Table(Table::new("Scenes and their trees", header, rows).from("../trees.csv", &command(document))),
         ],
     }
 }
@@ -78,18 +82,11 @@ pub fn work(document: &Document) -> Section {
         let of = |scene: &SceneResult, test: &str, kind: StructureKind| {
             scene.renders.iter().find(|r| r.test == test && r.structure == kind.name()).map(value)
         };
-        let largest = document.scenes.iter().flat_map(|scene| &scene.renders).map(value).fold(0.0, f64::max);
-        let bars = Bars {
-            title: format!("{title}, {}", test.name()),
-            unit: unit.into(),
-            categories: scene_names(document),
-            series: by_structure(document, |scene, kind| of(scene, test.name(), kind)),
-            max: Some(largest),
-            ..Bars::default()
-        };
+        let heading = format!("{title}, {}", test.name());
+        let bars = ratios(document, (&heading, unit), |scene, kind| of(scene, test.name(), kind));
         Item::Figure(Figure {
             svg: bars.svg(),
-            caption: "Mean of all rays of the test; both tests on one scale.".into(),
+            caption: format!("{heading}: mean of all rays of the test."),
             csv: "../work.csv".into(),
             command: command(document),
         })

@@ -215,12 +215,12 @@ fn estimates(frames: &Frames<'_>, progress: &dyn Progress) -> anyhow::Result<Vec
     Ok(rows)
 }
 
-/// The score of a claim: 1 where it holds, a half where it holds in some scenes.
+/// The score of a claim: 1 where it holds, a half where it holds in some scenes, 0 where it does not or is undecided.
 fn score(claim: &Claim) -> Option<f64> {
     match claim.holds {
         "yes" => Some(1.0),
         "partly" => Some(0.5),
-        "no" => Some(0.0),
+        "no" | "undecided" => Some(0.0),
         _ => None,
     }
 }
@@ -259,21 +259,21 @@ fn chart(claims: &[ClaimRegion]) -> Bars {
     Bars {
         title: "Claims by the share of machines for which they hold".to_owned(),
         unit: "% of machines".to_owned(),
-        categories: claims.iter().map(|claim| shortened(&claim.claim)).collect(),
+        categories: claims.iter().map(|claim| claim.claim.clone()).collect(),
         series: vec![
             ("in all scenes".to_owned(), share(|region| region.holds)),
             ("in some scenes".to_owned(), share(|region| region.partly)),
         ],
         stacked: true,
         max: Some(100.0),
+        texts: vec![vec![], claims.iter().map(|claim| shares(&claim.region)).collect()],
+        ..Bars::default()
     }
 }
 
-/// The first words of a claim, so that a chart has room for its bars.
-fn shortened(claim: &str) -> String {
-    const MOST: usize = 46;
-    let text: String = claim.chars().take(MOST).collect();
-    if text.len() < claim.len() { text.trim_end().to_owned() + "..." } else { text }
+/// Both shares of a claim in percent, which stand beside its bar.
+fn shares(region: &Region) -> String {
+    format!("{:.0} + {:.0}", 100.0 * region.holds, 100.0 * region.partly)
 }
 
 #[cfg(test)]
