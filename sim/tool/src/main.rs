@@ -9,6 +9,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     console::end_at_signals();
+    base::guard::watch();
     let cli = cli::Cli::parse();
     let command = console::command(std::env::args_os().skip(1));
     match commands::run(&cli) {

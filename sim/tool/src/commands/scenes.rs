@@ -45,7 +45,7 @@ pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
         let text = table(["name", "triangles", "stands for", "what it is"], rows);
         return Ok(Report::new(&document, text, vec![]));
     };
-    check_outputs(&[("--export", Some(path))], &[], global.force)?;
+    check_outputs(&[("--export", Some(path))], global.force)?;
     scenes::formats::written_format(path).context("--export")?;
     let bars = Bars::default();
     let part = Part::endless(&bars, &format!("making {name}"));
