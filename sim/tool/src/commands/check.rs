@@ -10,9 +10,10 @@ use studies::check::{self, Checks, Options};
 
 pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
     if let Some(words) = &args.exhaustive {
+        global.without_seed("a check of all pairs")?;
         return pairs(words, args);
     }
-    let options = Options { unit: args.unit, vectors: args.vectors, fault: args.mutate, seed: global.seed };
+    let options = Options { unit: args.unit, vectors: args.vectors, fault: args.mutate, seed: global.seed() };
     let checks = check::run(&options, &Bars::default())?;
     let mut report = Report::new(&checks, text(&checks), vec![]);
     report.difference = checks.units.iter().any(|unit| unit.mismatches > 0);

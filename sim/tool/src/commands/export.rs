@@ -18,7 +18,7 @@ pub fn run(args: &ExportArgs, global: &Global) -> anyhow::Result<Report> {
         unit: args.unit,
         vectors: args.vectors,
         period_ns: args.period_ns,
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
     let files = display_all(&export::run(&options, &Bars::default())?);

@@ -48,7 +48,7 @@ fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
         Command::Render(args) => render::run(args, global),
         Command::Compare(args) => compare::run(args, global),
         Command::Explain(args) => explain::run(args, global),
-        Command::Check(args) if args.prove => prove::run(args),
+        Command::Check(args) if args.prove => prove::run(args, global),
         Command::Check(args) => check::run(args, global),
         Command::Export(args) => export::run(args, global),
         Command::Wave(args) => wave::run(args, global),

@@ -25,7 +25,7 @@ pub fn run(
         preset: args.preset.clone(),
         out: args.out.clone(),
         mode: args.mode.mode,
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
     let of_parts = Global { json: true, force: false, ..*global };

@@ -1,7 +1,7 @@
 //! `dualsplit simulate`: simulations of frames on the many-core machine.
 
 use super::validate;
-use crate::cli::{Global, SimulateArgs};
+use crate::cli::{Drawn, Global, SimulateArgs};
 use crate::console::{Bars, Report, fixed, number, table};
 use machine::description::MachineDescription;
 use serde::Serialize;
@@ -17,6 +17,9 @@ struct Dumped {
 }
 
 pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
+    if args.scene.is_none() {
+        global.without_seed("the command without a scene")?;
+    }
     if let Some(folder) = &args.validate {
         return validate::run(folder, &args.row);
     }
@@ -26,7 +29,7 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     }
     let machine = MachineDescription::load(&args.machine.machine, &args.machine.settings)?;
     let scene = match &args.scene {
-        Some(scene) => args.load.source(scene, global)?,
+        Some(scene) => args.load.source(scene, Drawn::Samples, global)?,
         _ => return Ok(Report::new(&machine, machine.to_toml(), vec![])),
     };
     let options = Options {

@@ -12,7 +12,7 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
         methods: args.method.clone(),
         pictures: args.pictures,
         out: args.out.clone(),
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
     let stress = study::run(&options, &Bars::default())?;

@@ -15,7 +15,7 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
         settings: args.machine.settings.clone(),
         pipeline_cost: args.cost.pipeline_cost.method(),
         out: args.out.clone(),
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
     if args.sensitivity {

@@ -1,6 +1,6 @@
 //! `dualsplit chart precision`: visits, errors, area, energy and time in every format.
 
-use crate::cli::{DEFAULT_MACHINE, Global, PrecisionArgs};
+use crate::cli::{DEFAULT_MACHINE, Drawn, Global, PrecisionArgs};
 use crate::console::{Bars, Report, fixed, table};
 use anyhow::ensure;
 use std::path::Path;
@@ -15,7 +15,7 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
     );
     let machine = || (args.machine.machine.clone(), args.machine.settings.clone());
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Samples, global)?,
         structure: args.structure,
         test: args.test,
         quality: args.quality.quality,
