@@ -177,9 +177,8 @@ impl View {
             let squared: f64 =
                 light.iter().zip(camera.target).map(|(a, b)| (f64::from(*a) - f64::from(b)).powi(2)).sum();
             ensure!(squared > 0.0, "--light {light:?} is at the target: move one of them");
-            let intensity =
-                (IRRADIANCE_AT_TARGET * squared).clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
-            scene.light = scenes::PointLight { position: light, intensity: [intensity as f32; 3] };
+            scene.light =
+                scenes::PointLight { position: light, intensity: [IRRADIANCE_AT_TARGET * squared; 3] };
         }
         Ok(())
     }
