@@ -136,6 +136,18 @@ impl Artifacts {
     }
 }
 
+/// Adds the file `name` to `folder`, which a run has filled, and returns its path.
+///
+/// # Errors
+/// Those of [`Artifacts`].
+pub fn add(folder: &Path, name: &str, bytes: &[u8]) -> anyhow::Result<PathBuf> {
+    let mut artifacts = Artifacts::create(folder, false)?;
+    artifacts.written = artifacts.owned.iter().filter(|owned| *owned != name).cloned().collect();
+    artifacts.write(name, bytes)?;
+    artifacts.finish()?;
+    Ok(folder.join(name))
+}
+
 impl Drop for Artifacts {
     fn drop(&mut self) {
         if self.owned.is_empty() {
@@ -194,6 +206,19 @@ mod tests {
         assert!(error.contains("mine") && error.contains("--force"), "{error}");
         assert_eq!(fs::read(folder.join("mine")).unwrap(), b"my own");
         run(&folder, &["mine"], true).unwrap();
+    }
+
+    #[test]
+    fn a_file_is_added_to_those_of_a_run() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("out");
+        run(&folder, &["a", "b"], false).unwrap();
+        for content in ["1", "2"] {
+            assert_eq!(add(&folder, "c", content.as_bytes()).unwrap(), folder.join("c"));
+        }
+        assert!(["a", "b", "c"].iter().all(|name| folder.join(name).exists()));
+        run(&folder, &["a"], false).unwrap();
+        assert!(!folder.join("c").exists(), "a file of the tool like the others");
     }
 
     #[test]

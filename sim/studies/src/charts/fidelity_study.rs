@@ -55,6 +55,9 @@ pub struct FidelityChart {
     pub height: u32,
     pub batches: u32,
     pub points: Vec<FidelityPoint>,
+    /// The folder that was written.
+    #[serde(skip)]
+    pub folder: PathBuf,
     #[serde(skip)]
     pub artifacts: Vec<String>,
 }
@@ -91,6 +94,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<FidelityCh
         height,
         batches: subject.batches(1.0).count,
         points,
+        folder,
         artifacts: artifacts.finish()?.iter().map(|path| display(path)).collect(),
     })
 }

@@ -60,6 +60,9 @@ pub struct PrecisionChart {
     pub left_out: Vec<String>,
     /// The source of area and energy.
     pub cost_source: Option<String>,
+    /// The folder that was written.
+    #[serde(skip)]
+    pub folder: PathBuf,
     #[serde(skip)]
     pub artifacts: Vec<String>,
 }
@@ -140,6 +143,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<PrecisionC
         most_visits: args.most_visits,
         left_out,
         cost_source,
+        folder,
         artifacts: artifacts.finish()?.iter().map(|path| display(path)).collect(),
     })
 }

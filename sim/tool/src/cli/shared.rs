@@ -13,20 +13,29 @@ use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 use studies::input::{SceneSource, StructureSource, View};
 
-#[derive(Args, Clone, Copy, Debug)]
+/// The heading of [`Global`] in help texts.
+const OF_ALL: &str = "Options of all commands";
+
+#[derive(Args, Clone, Debug)]
 pub struct Global {
     /// Print one JSON document instead of tables.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, help_heading = OF_ALL)]
     pub json: bool,
+    /// Print neither progress nor notes, only results and errors.
+    #[arg(long, short, global = true, help_heading = OF_ALL)]
+    pub quiet: bool,
     /// Seed of the built-in scenes, of the renderer's samples and of the checks' stimulus [default: 0].
-    #[arg(long, global = true, value_name = "N")]
+    #[arg(long, global = true, value_name = "N", help_heading = OF_ALL)]
     pub seed: Option<u64>,
     /// Number of threads; results do not depend on it [default: all processors].
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = OF_ALL)]
     pub threads: Option<u16>,
     /// Replace files that exist.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, help_heading = OF_ALL)]
     pub force: bool,
+    /// The words of the command line, for the record.
+    #[arg(skip)]
+    pub words: Vec<OsString>,
 }
 
 impl Global {

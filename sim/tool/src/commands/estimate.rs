@@ -14,6 +14,6 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let (estimates, text, files) = estimation::run(&options, &Bars::default())?;
-    Ok(Report::new(&estimates, text, display_all(&files)))
+    let (estimates, text, files) = estimation::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&estimates, text, display_all(&files)).in_folder(args.out.clone()))
 }

@@ -16,7 +16,7 @@ pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
         quality: args.quality.quality,
         structures: args.structure.clone(),
     };
-    let explanation = explain::run(&options, &Bars::default())?;
+    let explanation = explain::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&explanation, text(&explanation), vec![]))
 }
 

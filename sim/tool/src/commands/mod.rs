@@ -7,10 +7,12 @@ mod compare;
 mod estimate;
 mod explain;
 mod export;
+mod manual;
 mod needs;
 mod prove;
 mod render;
 mod reproduce;
+mod rerun;
 mod scenes;
 mod simulate;
 mod stress;
@@ -22,7 +24,7 @@ mod wave;
 
 use crate::cli::{Cli, Command, Global, ReproduceArgs};
 use crate::console::Report;
-use anyhow::Context;
+use anyhow::{Context, bail};
 
 /// Runs the command of `cli`.
 pub fn run(cli: &Cli) -> anyhow::Result<Report> {
@@ -34,13 +36,20 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         })?;
     }
     match &cli.command {
+        Some(Command::Rerun(args)) => rerun::run(args, global, dispatch),
         Some(command) => dispatch(command, global),
-        None => reproduce::run(&ReproduceArgs::default(), global, dispatch),
+        None => dispatch(&Command::Reproduce(ReproduceArgs::default()), global),
     }
 }
 
-/// Runs `command` on the threads of the global pool.
+/// Runs `command` on the threads of the global pool, and records it in the folder of its results.
 fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
+    let mut report = perform(command, global)?;
+    rerun::record(&mut report, &global.words)?;
+    Ok(report)
+}
+
+fn perform(command: &Command, global: &Global) -> anyhow::Result<Report> {
     match command {
         Command::Scenes(args) => scenes::run(args, global),
         Command::Tree(args) => tree::run(args, global),
@@ -59,5 +68,7 @@ fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
         Command::Simulate(args) => simulate::run(args, global),
         Command::Study(args) => study::run(args, global),
         Command::Reproduce(args) => reproduce::run(args, global, dispatch),
+        Command::Rerun(_) => bail!("a rerun of a rerun: name the folder of other results"),
+        Command::Manual(args) => manual::run(args, global),
     }
 }

@@ -18,8 +18,8 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let needs = study::run(&options, &Bars::default())?;
-    Ok(Report::new(&needs, text(&needs), needs.artifacts.clone()))
+    let needs = study::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&needs, text(&needs), needs.artifacts.clone()).in_folder(needs.folder.clone()))
 }
 
 fn text(d: &Needs) -> String {

@@ -6,7 +6,7 @@ use studies::prove::{self, Proofs};
 
 pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
     global.without_seed("a proof")?;
-    let proofs = prove::run(args.unit, &Bars::default())?;
+    let proofs = prove::run(args.unit, &Bars::new(global.quiet))?;
     let mut report = Report::new(&proofs, text(&proofs), vec![]);
     report.difference = proofs.proofs.iter().any(|row| row.verdict != "equal");
     Ok(report)

@@ -23,7 +23,7 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
         rays: args.rays.clone(),
         force: global.force,
     };
-    let picture = picture::run(&options, &Bars::default())?;
+    let picture = picture::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&picture, text(&picture), display_all([&options.out].into_iter().chain(&options.rays))))
 }
 

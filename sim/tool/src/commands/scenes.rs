@@ -48,7 +48,7 @@ pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
     };
     check_outputs(&[("--export", Some(path))], global.force)?;
     scenes::formats::written_format(path).context("--export")?;
-    let bars = Bars::default();
+    let bars = Bars::new(global.quiet);
     let part = Part::endless(&bars, &format!("making {name}"));
     let detail = args.detail.value();
     let scene = procedural::build(name, detail, global.seed())?;

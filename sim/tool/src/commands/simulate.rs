@@ -21,7 +21,7 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
         global.without_seed("the command without a scene")?;
     }
     if let Some(folder) = &args.validate {
-        return validate::run(folder, &args.row);
+        return validate::run(folder, &args.row, global);
     }
     if let Some(folder) = &args.dump_kernels {
         let files = display_all(&kernel::dump(folder, global.force)?);
@@ -49,7 +49,7 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
         csv: args.csv.clone(),
         force: global.force,
     };
-    let simulation = simulate::run(&options, &Bars::default())?;
+    let simulation = simulate::run(&options, &Bars::new(global.quiet))?;
     let mut report = Report::new(&simulation, text(&simulation), display_all(args.csv.as_deref()));
     report.difference = simulation.fidelity.rtl_differences > 0;
     Ok(report)

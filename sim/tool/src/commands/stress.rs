@@ -15,8 +15,9 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
         seed: global.seed(),
         force: global.force,
     };
-    let stress = study::run(&options, &Bars::default())?;
-    let mut report = Report::new(&stress, text(&stress), stress.artifacts.clone());
+    let stress = study::run(&options, &Bars::new(global.quiet))?;
+    let mut report =
+        Report::new(&stress, text(&stress), stress.artifacts.clone()).in_folder(args.out.clone());
     report.difference = stress.broken;
     Ok(report)
 }

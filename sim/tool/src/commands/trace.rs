@@ -15,7 +15,7 @@ pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let traced = trace::run(&options, &Bars::default())?;
+    let traced = trace::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&traced, text(&traced), display_all(options.out.as_deref())))
 }
 

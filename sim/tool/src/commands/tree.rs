@@ -14,7 +14,7 @@ pub fn run(args: &TreeArgs, global: &Global) -> anyhow::Result<Report> {
         save: args.save.clone().map(|file| (args.structure, file)),
         force: global.force,
     };
-    let trees = trees::run(&options, &Bars::default())?;
+    let trees = trees::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&trees, text(&trees), display_all(args.save.as_deref())))
 }
 

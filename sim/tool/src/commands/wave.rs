@@ -14,7 +14,7 @@ pub fn run(args: &WaveArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let wave = wave::run(&options, &Bars::default())?;
+    let wave = wave::run(&options, &Bars::new(global.quiet))?;
     let text = format!(
         "{}: {} operations of {} rays in {} cycles",
         wave.path, wave.operations, wave.rays, wave.cycles

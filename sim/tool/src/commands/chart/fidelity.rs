@@ -19,8 +19,8 @@ pub fn run(args: &FidelityArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let chart = fidelity_study::run(&options, &Bars::default())?;
-    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()))
+    let chart = fidelity_study::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()).in_folder(chart.folder.clone()))
 }
 
 fn text(d: &FidelityChart) -> String {

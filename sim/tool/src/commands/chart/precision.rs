@@ -25,8 +25,8 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let chart = precision_study::run(&options, &Bars::default())?;
-    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()))
+    let chart = precision_study::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()).in_folder(chart.folder.clone()))
 }
 
 fn text(d: &PrecisionChart) -> String {
