@@ -106,6 +106,22 @@ Examples:
   dualsplit study --preset quick --out study
   dualsplit study --sensitivity --machines 96";
 
+pub const SWEEP: &str = "\
+The file has lists, and the runs are their product:
+
+  scenes = [\"atrium\", \"my.obj\"]
+  structures = [\"dst\", \"bvh2\"]
+  machines = [\"trax\"]                 # default; presets or files beside this one
+  seeds = [0, 1]                      # default 0; also: detail, tests, sizes, and quality, level, pipeline_cost
+  [set]
+  l1.size = [\"16KiB\", \"32KiB\"]        # any key of --set
+
+Examples:
+  dualsplit sweep caches.toml --dry-run
+  dualsplit sweep caches.toml --shard 1/4
+  dualsplit sweep caches.toml --merge other-host/sweep-caches
+  dualsplit sweep caches.toml --workflow snakemake";
+
 pub const RERUN: &str = "\
 Examples:
   dualsplit rerun needs-atrium";

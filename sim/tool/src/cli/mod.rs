@@ -5,6 +5,7 @@ mod hardware;
 mod records;
 mod shared;
 mod studies;
+mod sweep;
 mod trees;
 mod values;
 
@@ -12,6 +13,7 @@ pub use hardware::*;
 pub use records::*;
 pub use shared::*;
 pub use studies::*;
+pub use sweep::*;
 pub use trees::*;
 
 use clap::{Parser, Subcommand};
@@ -80,6 +82,9 @@ pub enum Command {
     /// Do the paper's study: simulate all built-in scenes, eight structures and both tests on the many-core machine.
     #[command(after_help = examples::STUDY)]
     Study(StudyArgs),
+    /// Simulate the product of lists of scenes, structures, machines, seeds and values of the machine's keys.
+    #[command(after_help = examples::SWEEP)]
+    Sweep(SweepArgs),
     /// Build, render and measure all built-in scenes, and write a folder of pictures, CSV and JSON.
     #[command(after_help = examples::REPRODUCE)]
     Reproduce(ReproduceArgs),

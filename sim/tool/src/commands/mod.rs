@@ -17,6 +17,7 @@ mod scenes;
 mod simulate;
 mod stress;
 mod study;
+mod sweep;
 mod trace;
 mod tree;
 mod validate;
@@ -67,6 +68,7 @@ fn perform(command: &Command, global: &Global) -> anyhow::Result<Report> {
         Command::Estimate(args) => estimate::run(args, global),
         Command::Simulate(args) => simulate::run(args, global),
         Command::Study(args) => study::run(args, global),
+        Command::Sweep(args) => sweep::run(args, global),
         Command::Reproduce(args) => reproduce::run(args, global, dispatch),
         Command::Rerun(_) => bail!("a rerun of a rerun: name the folder of other results"),
         Command::Manual(args) => manual::run(args, global),
