@@ -18,7 +18,6 @@ use crate::structure::{Memory, Structure, StructureKind};
 use crate::triangle::Triangle;
 use base::output::{WriteError, write_file};
 use std::error::Error;
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -114,7 +113,7 @@ pub fn save(structure: &Structure, path: &Path, force: bool) -> Result<(), Write
 pub fn load(path: &Path) -> Result<Structure, TreeFileError> {
     let io = |source| TreeFileError::Io { path: path.to_owned(), source };
     let damaged = |reason| TreeFileError::Damaged { path: path.to_owned(), reason };
-    let mut file = File::open(path).map_err(io)?;
+    let mut file = base::input::open(path).map_err(io)?;
     let mut bytes = vec![];
     file.by_ref().take(HEADER_BYTES as u64).read_to_end(&mut bytes).map_err(io)?;
     // What follows the header is read as far as the header says, and a byte more to notice what should not be there.

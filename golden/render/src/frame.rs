@@ -53,11 +53,11 @@ fn check(scene: &Scene, options: &RenderOptions) -> Result<(), RenderError> {
     if options.keep_rays && rays > MOST_KEPT_RAYS {
         return Err(RenderError::TooManyRays(rays));
     }
-    for (name, value) in [
-        ("light position", scene.light.position),
-        ("light intensity", scene.light.intensity),
-        ("background", options.background),
-    ] {
+    let intensity = scene.light.intensity;
+    if intensity.iter().any(|x| !x.is_finite()) {
+        return Err(RenderError::NotFinite { name: "light intensity", value: intensity.map(|x| x as f32) });
+    }
+    for (name, value) in [("light position", scene.light.position), ("background", options.background)] {
         if value.iter().any(|x| !x.is_finite()) {
             return Err(RenderError::NotFinite { name, value });
         }
@@ -102,8 +102,7 @@ impl Light {
         let extent = if side.is_normal() { power_of_two(side) } else { 1.0 };
         let squared = f64::from(extent) * f64::from(extent);
         let [least, greatest] = [f32::MIN, f32::MAX].map(f64::from);
-        let intensity =
-            light.intensity.map(|channel| (f64::from(channel) / squared).clamp(least, greatest) as f32);
+        let intensity = light.intensity.map(|channel| (channel / squared).clamp(least, greatest) as f32);
         Self { position: light.position, extent, intensity }
     }
 }

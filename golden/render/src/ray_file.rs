@@ -24,7 +24,6 @@ use base::output::{WriteError, write_file};
 use golden::Ray;
 use input::Input;
 use liblzma::write::XzEncoder;
-use std::fs::File;
 use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 
@@ -243,7 +242,7 @@ fn with_file<T>(
     path: &Path,
     read: impl FnOnce(&mut Input) -> Result<T, RayFileErrorKind>,
 ) -> Result<T, RayFileError> {
-    let open = || unpacked(BufReader::new(File::open(path)?));
+    let open = || unpacked(BufReader::new(base::input::open(path)?));
     open()
         .map_err(RayFileErrorKind::Open)
         .and_then(|source| read(&mut Input::new(source)))

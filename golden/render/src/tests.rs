@@ -144,21 +144,22 @@ fn pixels_one_by_one_are_those_of_the_picture() {
     assert_eq!(total, picture.total().rays);
 }
 
-/// Every length of the scene times 2^20 or 2^-20.
+/// Every length of the scene times a power of two, up to where squares and cubes of lengths leave binary32.
 #[test]
 fn a_picture_does_not_depend_on_the_unit_of_length() {
     let scene = scenes::procedural::build("atrium", 0.002, 0).unwrap();
     let options = RenderOptions { samples: 2, ..RenderOptions::new(Test::Path, 32, 32) };
     let first = rendering(&scene, StructureKind::Bvh2, &options);
-    for exponent in [20, -20] {
+    let scales = [20, -20, 66, -70, 100, -90];
+    for (exponent, kind) in scales.into_iter().zip(StructureKind::ALL.into_iter().cycle()) {
         let scale = 2f32.powi(exponent);
         let mut scaled = scene.clone();
         scaled.mesh.positions.iter_mut().flatten().for_each(|x| *x *= scale);
         let (camera, light) = (&mut scaled.camera, &mut scaled.light);
         let lengths = camera.eye.iter_mut().chain(&mut camera.target).chain(&mut light.position);
         lengths.for_each(|x| *x *= scale);
-        light.intensity.iter_mut().for_each(|channel| *channel *= scale * scale);
-        let other = rendering(&scaled, StructureKind::Bvh2, &options);
+        light.intensity.iter_mut().for_each(|channel| *channel *= f64::from(scale).powi(2));
+        let other = rendering(&scaled, kind, &options);
         for (a, b) in first.pixels.iter().zip(&other.pixels) {
             assert_eq!((a.rgb, a.normal, a.triangle), (b.rgb, b.normal, b.triangle), "2^{exponent}");
             assert_eq!(a.depth * scale, b.depth, "2^{exponent}");

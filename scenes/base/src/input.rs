@@ -98,21 +98,42 @@ pub fn at_most(source: impl Read, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// All bytes of the file `path`, if there are at most `most`.
+/// The file `path`, which a user gave to be read.
 ///
 /// # Errors
-/// Those of the system, and [`Limit::Bytes`].
-pub fn read_file(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    at_most(File::open(path)?, most)
+/// Those of the system, and a [`Conflict`](crate::guard::Conflict) if the program is going to write the file.
+pub fn open(path: &Path) -> io::Result<File> {
+    let file = File::open(path)?;
+    crate::guard::reads(path)?;
+    Ok(file)
 }
 
-/// The text of the file `path`, if it has at most `most` bytes.
+/// All bytes of the file `path`, which a user gave, if there are at most `most`.
+///
+/// # Errors
+/// Those of [`open`], and [`Limit::Bytes`].
+pub fn read_file(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    at_most(open(path)?, most)
+}
+
+/// The text of the file `path`, which a user gave, if it has at most `most` bytes.
 ///
 /// # Errors
 /// Those of [`read_file`], and `InvalidData` for what is not UTF-8.
 pub fn read_text(path: &Path, most: u64) -> io::Result<String> {
-    String::from_utf8(read_file(path, most)?)
-        .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()))
+    text(read_file(path, most)?)
+}
+
+/// The text of the file `path`, which the program itself wrote and may write again, if it has at most `most` bytes.
+///
+/// # Errors
+/// As those of [`read_text`].
+pub fn read_own(path: &Path, most: u64) -> io::Result<String> {
+    text(at_most(File::open(path)?, most)?)
+}
+
+fn text(bytes: Vec<u8>) -> io::Result<String> {
+    String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error.utf8_error()))
 }
 
 /// Counts the bytes that are taken from `source`.

@@ -5,6 +5,7 @@
 //! | [`split_mix`] | random bits that are the same on every machine |
 //! | [`input`] | the bytes of files, unpacked, within limits |
 //! | [`output`] | files that appear whole or not at all |
+//! | [`guard`] | no file is both read and written |
 //!
 //! ```
 //! use base::{output::write_file, split_mix};
@@ -21,6 +22,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod guard;
 pub mod input;
 pub mod output;
 pub mod split_mix;

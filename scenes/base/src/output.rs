@@ -8,12 +8,17 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use thiserror::Error;
 
+use crate::guard;
+
 /// Why a file was not written. The file system is then as it was before.
 #[derive(Debug, Error)]
 pub enum WriteError {
     /// The file exists and may not be replaced.
     #[error("{}: the file exists; name another, or use --force to replace it", .0.display())]
     Exists(PathBuf),
+    /// The program reads the file (see [`guard`]).
+    #[error("{}: this is also read; name another", .0.display())]
+    Read(PathBuf),
     /// The file system refuses.
     #[error("{}: cannot write ({source}); check the folder, its permissions and free space", path.display())]
     Io {
@@ -33,7 +38,8 @@ const BUFFER_BYTES: usize = 1 << 16;
 /// links. What exists and is no regular file, such as a pipe or a device, holds nothing to replace: the function writes into it.
 ///
 /// # Errors
-/// [`WriteError::Exists`] without `force`, [`WriteError::Io`] for an error of the system or of `contents`.
+/// [`WriteError::Exists`] without `force`, [`WriteError::Read`] for a file that a program watches and reads, [`WriteError::Io`] for an
+/// error of the system or of `contents`.
 pub fn write_file(
     path: &Path,
     force: bool,
@@ -54,6 +60,9 @@ pub fn write_file(
     if !force && path.exists() {
         return Err(WriteError::Exists(path.to_owned()));
     }
+    if guard::is_read(path) {
+        return Err(WriteError::Read(path.to_owned()));
+    }
     let target = target(path).map_err(failed)?;
     let folder = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
@@ -68,7 +77,10 @@ pub fn write_file(
     buffered(file.as_file_mut()).map_err(failed)?;
     let persisted = if force { file.persist(&target) } else { file.persist_noclobber(&target) };
     match persisted {
-        Ok(_) => Ok(()),
+        Ok(_) => {
+            guard::written(&target);
+            Ok(())
+        }
         Err(e) if e.error.kind() == io::ErrorKind::AlreadyExists => Err(WriteError::Exists(path.to_owned())),
         Err(e) => Err(failed(e.error)),
     }

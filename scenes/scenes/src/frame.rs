@@ -48,9 +48,7 @@ pub fn frame(bounds: &Bounds) -> (Camera, PointLight) {
     };
     let to_light =
         std::array::from_fn(|axis| (backward[axis] + 0.4 * upward[axis] - 0.3 * right[axis]) * distance);
-    // The square leaves the range of f32 for the largest and the smallest boxes.
     let intensity = IRRADIANCE_AT_CENTER * dot(to_light, to_light);
-    let intensity = intensity.clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)) as f32;
     (camera, PointLight { position: at(to_light), intensity: [intensity; 3] })
 }
 

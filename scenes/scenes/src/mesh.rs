@@ -89,8 +89,9 @@ pub struct Camera {
 pub struct PointLight {
     /// Position of the light.
     pub position: [f32; 3],
-    /// Radiant intensity, linear RGB; irradiance at distance `r` is `intensity / r^2`.
-    pub intensity: [f32; 3],
+    /// Radiant intensity, linear RGB; irradiance at distance `r` is `intensity / r^2`. In `f64`, which holds the square of every
+    /// distance between coordinates.
+    pub intensity: [f64; 3],
 }
 
 /// A mesh with the view and the light that it is rendered with.

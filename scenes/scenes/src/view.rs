@@ -5,7 +5,6 @@
 //! view in degrees.
 
 use std::ffi::OsString;
-use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
@@ -54,7 +53,7 @@ pub(crate) fn file_name(stem: &Path) -> OsString {
 pub(crate) fn apply(path: &Path, camera: &mut Camera) -> Result<(), ViewError> {
     let fault = |line, what: String| ViewError { path: path.to_owned(), line, what };
     let mut text = String::new();
-    match File::open(path) {
+    match base::input::open(path) {
         Err(e) if e.kind() == ErrorKind::NotFound => return Ok(()),
         // A device has no size that could be looked at.
         file => file.and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text)),

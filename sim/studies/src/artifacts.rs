@@ -1,7 +1,8 @@
 //! A folder of results, which a later run may replace.
 
 use anyhow::{Context, bail};
-use base::input::read_text;
+use base::guard;
+use base::input::read_own;
 use base::output::write_file;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -21,18 +22,22 @@ pub struct Artifacts {
     owned: BTreeSet<String>,
     /// Files of this run, in order.
     written: Vec<String>,
+    /// The folders that were made for it, the innermost first.
+    made: Vec<PathBuf>,
     /// The folder, locked against other runs as long as it is open.
     _lock: Option<File>,
 }
 
 impl Artifacts {
-    /// Makes `folder`. If it exists, it has to be empty or made by an earlier run, unless `force` is set.
+    /// Makes `folder`. If it exists, it has to be empty or made by an earlier run, unless `force` is set. A folder that gets no file
+    /// is removed again.
     ///
     /// # Errors
-    /// The folder holds files of others, or cannot be made.
+    /// The folder holds files of others, or a file of an earlier run that is read, or cannot be made.
     pub fn create(folder: &Path, force: bool) -> anyhow::Result<Self> {
         let list = folder.join(LIST);
-        let owned = match read_text(&list, MOST_BYTES) {
+        let mut made = vec![];
+        let owned: BTreeSet<String> = match read_own(&list, MOST_BYTES) {
             Ok(text) => text.lines().map(str::to_owned).collect(),
             Err(_) => {
                 let occupied = folder.symlink_metadata().is_ok()
@@ -44,13 +49,21 @@ impl Artifacts {
                         folder.display()
                     );
                 }
+                made = folder.ancestors().take_while(|part| !part.exists()).map(Path::to_owned).collect();
+                made.retain(|part| !part.as_os_str().is_empty());
                 fs::create_dir_all(folder).with_context(|| {
                     format!("{}: cannot make the folder; name another with --out", folder.display())
                 })?;
                 BTreeSet::new()
             }
         };
-        Ok(Self { folder: folder.to_owned(), force, owned, written: vec![], _lock: lock(folder)? })
+        if let Some(name) = owned.iter().find(|name| guard::is_read(&folder.join(name))) {
+            bail!(
+                "{}: the command reads {name} in this folder, which it would replace; name another with --out",
+                folder.display()
+            );
+        }
+        Ok(Self { folder: folder.to_owned(), force, owned, written: vec![], made, _lock: lock(folder)? })
     }
 
     /// Writes the file `name`, a relative path with `/`. Only with `force` does it replace a file that the tool did not make.
@@ -107,7 +120,7 @@ impl Artifacts {
         let current: BTreeSet<String> = self.written.iter().cloned().collect();
         for stale in self.owned.difference(&current) {
             let path = self.folder.join(stale);
-            if is_plain(stale) && path.symlink_metadata().is_ok() {
+            if is_plain(stale) && path.symlink_metadata().is_ok() && !guard::is_read(&path) {
                 fs::remove_file(&path).with_context(|| format!("{}: cannot remove", path.display()))?;
             }
         }
@@ -120,6 +133,27 @@ impl Artifacts {
         let path = self.folder.join(LIST);
         let text: String = self.owned.iter().map(|name| format!("{name}\n")).collect();
         Ok(write_file(&path, true, |out| out.write_all(text.as_bytes()))?)
+    }
+}
+
+/// Adds the file `name` to `folder`, which a run has filled, and returns its path.
+///
+/// # Errors
+/// Those of [`Artifacts`].
+pub fn add(folder: &Path, name: &str, bytes: &[u8]) -> anyhow::Result<PathBuf> {
+    let mut artifacts = Artifacts::create(folder, false)?;
+    artifacts.written = artifacts.owned.iter().filter(|owned| *owned != name).cloned().collect();
+    artifacts.write(name, bytes)?;
+    artifacts.finish()?;
+    Ok(folder.join(name))
+}
+
+impl Drop for Artifacts {
+    fn drop(&mut self) {
+        if self.owned.is_empty() {
+            // What is not empty stays.
+            self.made.iter().all(|folder| fs::remove_dir(folder).is_ok());
+        }
     }
 }
 
@@ -172,6 +206,34 @@ mod tests {
         assert!(error.contains("mine") && error.contains("--force"), "{error}");
         assert_eq!(fs::read(folder.join("mine")).unwrap(), b"my own");
         run(&folder, &["mine"], true).unwrap();
+    }
+
+    #[test]
+    fn a_file_is_added_to_those_of_a_run() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("out");
+        run(&folder, &["a", "b"], false).unwrap();
+        for content in ["1", "2"] {
+            assert_eq!(add(&folder, "c", content.as_bytes()).unwrap(), folder.join("c"));
+        }
+        assert!(["a", "b", "c"].iter().all(|name| folder.join(name).exists()));
+        run(&folder, &["a"], false).unwrap();
+        assert!(!folder.join("c").exists(), "a file of the tool like the others");
+    }
+
+    #[test]
+    fn a_run_that_writes_nothing_leaves_no_folder() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = parent.path().join("a/b");
+        drop(Artifacts::create(&folder, false).unwrap());
+        assert_eq!(fs::read_dir(parent.path()).unwrap().count(), 0);
+        fs::create_dir(parent.path().join("a")).unwrap();
+        drop(Artifacts::create(&folder, false).unwrap());
+        assert!(parent.path().join("a").exists() && !folder.exists());
+        let mut artifacts = Artifacts::create(&folder, false).unwrap();
+        artifacts.write("c", b"").unwrap();
+        drop(artifacts);
+        assert!(folder.join("c").exists());
     }
 
     #[test]

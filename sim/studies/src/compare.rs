@@ -47,7 +47,7 @@ pub fn run(args: &Options) -> anyhow::Result<Comparison> {
     if let Some(out) = &args.out {
         Format::of(out)?;
     }
-    check_outputs(&[("--out", args.out.as_deref())], &[Some(&args.a), Some(&args.b)], args.force)?;
+    check_outputs(&[("--out", args.out.as_deref())], args.force)?;
     let (format, a) = picture::read(&args.a)?;
     let (other_format, b) = picture::read(&args.b)?;
     let names = || format!("{} and {}", args.a.display(), args.b.display());

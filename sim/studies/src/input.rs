@@ -2,7 +2,8 @@
 
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail, ensure};
-use base::output::{is_special, target};
+use base::guard;
+use base::output::is_special;
 use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::tree_file;
@@ -176,9 +177,8 @@ impl View {
             let squared: f64 =
                 light.iter().zip(camera.target).map(|(a, b)| (f64::from(*a) - f64::from(b)).powi(2)).sum();
             ensure!(squared > 0.0, "--light {light:?} is at the target: move one of them");
-            let intensity =
-                (IRRADIANCE_AT_TARGET * squared).clamp(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX));
-            scene.light = scenes::PointLight { position: light, intensity: [intensity as f32; 3] };
+            scene.light =
+                scenes::PointLight { position: light, intensity: [IRRADIANCE_AT_TARGET * squared; 3] };
         }
         Ok(())
     }
@@ -194,32 +194,16 @@ pub fn display_all<P: AsRef<Path>>(paths: impl IntoIterator<Item = P>) -> Vec<St
     paths.into_iter().map(|path| display(path.as_ref())).collect()
 }
 
-/// Checks before the work that all `outputs` that are given can be written after it, each named by its option, and that none is
-/// another output or one of `inputs`.
+/// Checks before the work that all `outputs` that are given can be written after it, each named by its option, and announces them:
+/// none may be another output, nor a file that is read (see [`guard`]).
 ///
 /// # Errors
-/// The message names the options.
-pub fn check_outputs(
-    outputs: &[(&str, Option<&Path>)],
-    inputs: &[Option<&Path>],
-    force: bool,
-) -> anyhow::Result<()> {
-    let same = |a: &Path, b: &Path| match (target(a), target(b)) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => false,
-    };
-    let given: Vec<(&str, &Path)> =
-        outputs.iter().filter_map(|(option, path)| path.map(|path| (*option, path))).collect();
-    for (i, (option, path)) in given.iter().enumerate() {
+/// The message names the option.
+pub fn check_outputs(outputs: &[(&str, Option<&Path>)], force: bool) -> anyhow::Result<()> {
+    for (option, path) in outputs.iter().filter_map(|(option, path)| path.map(|path| (*option, path))) {
         check_writable(option, path, force)?;
-        if is_special(path) {
-            continue;
-        }
-        if let Some((other, _)) = given[..i].iter().find(|(_, other)| same(path, other)) {
-            bail!("{option} {}: this is also the file of {other}; name another", path.display());
-        }
-        if inputs.iter().flatten().any(|input| same(path, input)) {
-            bail!("{option} {}: this is also read; name another", path.display());
+        if !is_special(path) {
+            guard::will_write(option, path).with_context(|| format!("{option} {}", path.display()))?;
         }
     }
     Ok(())
@@ -241,30 +225,30 @@ fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<()> 
     if path.is_dir() {
         bail!("{option} {}: this is a folder; name a file", path.display());
     }
+    if is_stdout(path) {
+        bail!("{option} {}: standard output gets what the command prints; name a file", path.display());
+    }
     if !force && path.exists() && !is_special(path) {
         return Err(base::output::WriteError::Exists(path.to_owned())).context(option.to_owned());
     }
     Ok(())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Whether `path` leads to standard output, where what is written would be mixed with, or replaced by, what is printed. A terminal
+/// and the null device take both.
+#[cfg(unix)]
+fn is_stdout(path: &Path) -> bool {
+    use std::os::fd::AsFd;
+    use std::os::unix::fs::{FileTypeExt, MetadataExt};
+    let Ok(stdout) = std::io::stdout().as_fd().try_clone_to_owned() else { return false };
+    let (Ok(stdout), Ok(file)) = (std::fs::File::from(stdout).metadata(), path.metadata()) else {
+        return false;
+    };
+    !file.file_type().is_char_device() && (stdout.dev(), stdout.ino()) == (file.dev(), file.ino())
+}
 
-    #[test]
-    fn outputs_are_compared_with_each_other_and_with_inputs() {
-        let folder = tempfile::tempdir().unwrap();
-        let [a, b] = ["a", "b"].map(|name| folder.path().join(name));
-        let a_again = folder.path().join("../").join(folder.path().file_name().unwrap()).join("a");
-        let check = |outputs: &[(&str, Option<&Path>)], inputs: &[Option<&Path>]| {
-            check_outputs(outputs, inputs, true).map_err(|error| error.to_string())
-        };
-        let two = |path| [("--out", Some(a.as_path())), ("--rays", Some(path))];
-        assert_eq!(check(&two(&b), &[None]), Ok(()));
-        assert!(check(&two(&a_again), &[]).unwrap_err().contains("also the file of --out"));
-        std::fs::write(&b, "").unwrap();
-        assert!(check(&two(&b), &[Some(&b)]).unwrap_err().contains("--rays"));
-        let null = Path::new("/dev/null");
-        assert_eq!(check(&[("--out", Some(null)), ("--rays", Some(null))], &[]), Ok(()));
-    }
+/// Such paths are known of Unix only.
+#[cfg(not(unix))]
+fn is_stdout(_path: &Path) -> bool {
+    false
 }

@@ -88,7 +88,7 @@ fn line_of(error: &FidelityError) -> Option<usize> {
 /// The text of a file of at most [`MOST_BYTES`].
 fn read(path: &Path) -> anyhow::Result<String> {
     let mut bytes = vec![];
-    File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    base::input::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
     ensure!(bytes.len() as u64 <= MOST_BYTES, "a listing has at most {MOST_BYTES} bytes");
     let text = String::from_utf8(bytes);
     text.map_err(|error| {
@@ -109,7 +109,7 @@ fn compile(path: &Path, defines: &[&str]) -> anyhow::Result<(String, Vec<String>
             .with_context(|| format!("{}: cannot write", file.display()))?;
     }
     let _unfinished = Unfinished::new(folder.path());
-    let [raw, said] = ["kernel.s", "messages"].map(|name| folder.path().join(name));
+    let [raw, said, sources] = ["kernel.s", "messages", "sources"].map(|name| folder.path().join(name));
     // A name that begins with a dash would be an option.
     let source = if path.is_absolute() { path.to_owned() } else { Path::new(".").join(path) };
     let clang = std::env::var_os("CLANG").unwrap_or_else(|| "clang-14".into());
@@ -122,6 +122,8 @@ fn compile(path: &Path, defines: &[&str]) -> anyhow::Result<(String, Vec<String>
         .args(own_folders(path).iter().flat_map(|folder| [OsStr::new("-I"), folder.as_os_str()]))
         .arg("-I")
         .arg(&include)
+        .args(["-MD", "-MF"])
+        .arg(&sources)
         .arg("-o")
         .args([&raw, &source])
         .stdin(Stdio::null())
@@ -149,8 +151,24 @@ fn compile(path: &Path, defines: &[&str]) -> anyhow::Result<(String, Vec<String>
         bail!("{}: the compiler refuses it\n{}", path.display(), said.trim_end());
     }
     ensure!(raw.is_file(), "{} wrote no listing; name a clang 14 in CLANG", named());
+    // What the program includes is read as well, and so is not written.
+    let rules = base::input::read_own(&sources, MOST_BYTES).unwrap_or_default();
+    for source in sources_of(&rules).iter().filter(|source| !source.starts_with(folder.path())) {
+        base::guard::reads(source).with_context(|| display(source))?;
+    }
     let text = read(&raw).with_context(|| format!("the listing of {}", path.display()))?;
     Ok(tidied(&text))
+}
+
+/// The files that the rules of a make file name behind their targets.
+fn sources_of(rules: &str) -> Vec<PathBuf> {
+    let joined = rules.replace("\\\n", " ");
+    let names = joined.lines().filter_map(|line| Some(line.split_once(": ")?.1.replace("\\ ", "\0")));
+    let paths = |names: String| {
+        let names: Vec<_> = names.split_whitespace().map(|name| name.replace('\0', " ").into()).collect();
+        names
+    };
+    names.flat_map(paths).collect()
 }
 
 /// The folders of the program `path` whose sources come first: its own, and the one above where that holds a header of
@@ -246,6 +264,12 @@ mod tests {
         let (listing, origins) = tidied(raw);
         assert_eq!(listing, "main:\n    move $2, $3\n    jr $ra\n    nop\n");
         assert_eq!(origins[1..], ["a.c, line 7", "b.h, line 9", "b.h, line 9"]);
+    }
+
+    #[test]
+    fn the_sources_of_a_program_are_what_its_rules_name() {
+        let rules = "kernel.s: ./a.c \\\n  b/my\\ own.h c.h\n";
+        assert_eq!(sources_of(rules), ["./a.c", "b/my own.h", "c.h"].map(PathBuf::from));
     }
 
     #[test]

@@ -10,6 +10,7 @@
 //! | [`walk`] | What does the traversal of one ray do, step by step? |
 //! | [`drive`] | Which inputs do a scene's rays give to each unit? |
 //! | [`study`] | Which structure is fastest on the machine, and does it agree with the published results? |
+//! | [`sweep`] | The same question for any lists of scenes, structures and machines, on many hosts. |
 //! | [`estimation`] | What do the pipelines cost? |
 //! | [`reproduce`] | All of it, on one page. |
 //!
@@ -50,6 +51,7 @@ pub mod reproduce;
 pub mod simulate;
 pub mod stress;
 pub mod study;
+pub mod sweep;
 pub mod table;
 pub mod trace;
 pub mod trees;

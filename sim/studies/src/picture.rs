@@ -105,7 +105,7 @@ pub fn run(o: &Options, progress: &dyn Progress) -> anyhow::Result<Picture> {
         o.exposure
     );
     let outputs = [("--out", Some(o.out.as_path())), ("--rays", o.rays.as_deref())];
-    check_outputs(&outputs, &[o.scene.path(), o.structure.file.as_deref()], o.force)?;
+    check_outputs(&outputs, o.force)?;
     let [width, height] = o.size;
     let options = RenderOptions {
         samples: o.samples,

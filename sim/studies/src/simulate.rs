@@ -218,11 +218,7 @@ impl StepRow {
 /// # Errors
 /// The options contradict each other, the scene cannot be loaded, the simulation fails, or the file cannot be written.
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation> {
-    check_outputs(
-        &[("--csv", args.csv.as_deref())],
-        &[args.scene.path(), args.kernel.as_deref()],
-        args.force,
-    )?;
+    check_outputs(&[("--csv", args.csv.as_deref())], args.force)?;
     let machine = &args.machine;
     ensure!(
         args.fidelity == Fidelity::Auto || args.tolerance.is_none(),

@@ -63,8 +63,7 @@ pub struct Traced {
 /// # Errors
 /// The rays, the scene or the structure cannot be loaded, or the hits cannot be written.
 pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Traced> {
-    let inputs = [Some(options.rays.as_path()), options.scene.path(), options.structure.file.as_deref()];
-    check_outputs(&[("--out", options.out.as_deref())], &inputs, options.force)?;
+    check_outputs(&[("--out", options.out.as_deref())], options.force)?;
     let stream = read_rays(&options.rays)?;
     ensure!(!stream.rays.is_empty(), "{}: the file holds no ray to trace", options.rays.display());
     let scene = options.scene.load(progress)?;

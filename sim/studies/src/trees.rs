@@ -158,7 +158,7 @@ fn converted(built: &Built, kind: StructureKind) -> anyhow::Result<(Structure, S
 /// The scene cannot be loaded, a tree cannot be built, or the file cannot be written.
 pub fn run(options: &Options, progress: &dyn Progress) -> anyhow::Result<Trees> {
     let save = options.save.as_ref().map(|(_, file)| file.as_path());
-    check_outputs(&[("--save", save)], &[options.scene.path()], options.force)?;
+    check_outputs(&[("--save", save)], options.force)?;
     let scene = options.scene.load(progress)?;
     let MeshReport { bounds, degenerate, duplicates, .. } = MeshReport::new(&scene.mesh);
     let Bounds { min, max } = bounds.context("the scene has no triangle")?;

@@ -52,7 +52,7 @@ pub struct Wave {
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Wave> {
     let is_fst = args.out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fst"));
     ensure!(!is_fst, "--out {}: waveforms are VCD files; end the name in .vcd", args.out.display());
-    check_outputs(&[("--out", Some(&args.out))], &[args.scene.path()], args.force)?;
+    check_outputs(&[("--out", Some(&args.out))], args.force)?;
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let rays: Vec<TraversalRay> =

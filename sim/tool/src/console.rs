@@ -4,6 +4,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 use studies::progress::Progress;
@@ -19,6 +20,10 @@ pub struct Report {
     text: String,
     /// Whether a check found a difference.
     pub difference: bool,
+    /// The folder of the results, if they fill one.
+    pub folder: Option<PathBuf>,
+    /// The command that made it, if that is not the one that runs.
+    pub command: Option<String>,
 }
 
 impl Report {
@@ -29,7 +34,17 @@ impl Report {
     pub fn new(json: &impl Serialize, text: String, artifacts: Vec<String>) -> Self {
         let json = serde_json::to_string_pretty(json).expect("results have string keys");
         assert!(json.starts_with("{\n"), "results are objects with keys");
-        Self { json, artifacts, text, difference: false }
+        Self { json, artifacts, text, difference: false, folder: None, command: None }
+    }
+
+    /// The report of results that fill `folder`, if any.
+    pub fn in_folder(self, folder: impl Into<Option<PathBuf>>) -> Self {
+        Self { folder: folder.into(), ..self }
+    }
+
+    /// Adds the file `path` to those that were written.
+    pub fn add_artifact(&mut self, path: String) {
+        self.artifacts.push(path);
     }
 
     /// The document if `json` is set, else the text. Either ends in a line break.
@@ -45,7 +60,7 @@ impl Report {
             out = format!(
                 "{{\n  \"version\": {},\n  \"command\": {},\n  \"artifacts\": [{}{end}],{}",
                 text(env!("CARGO_PKG_VERSION")),
-                text(command),
+                text(self.command.as_deref().unwrap_or(command)),
                 paths.join(","),
                 &self.json[1..]
             );
@@ -57,19 +72,25 @@ impl Report {
     }
 }
 
-/// The command line `words` as documents record it: without the options that no result depends on.
-pub fn command(words: impl IntoIterator<Item = OsString>) -> String {
+/// The words of a command line without the options that no result depends on.
+pub fn kept(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut kept = vec![];
-    let mut words = words.into_iter().map(|word| word.to_string_lossy().into_owned());
+    let mut words = words.into_iter();
     while let Some(word) = words.next() {
-        match word.as_str() {
+        match word.to_string_lossy().as_ref() {
             "--threads" => _ = words.next(),
-            "--json" | "--force" => {}
+            "--json" | "--force" | "--quiet" | "-q" => {}
             text if text.starts_with("--threads=") => {}
             _ => kept.push(word),
         }
     }
-    kept.join(" ")
+    kept
+}
+
+/// The command line `words` as documents record it.
+pub fn command(words: impl IntoIterator<Item = OsString>) -> String {
+    let words: Vec<String> = kept(words).iter().map(|word| word.to_string_lossy().into_owned()).collect();
+    words.join(" ")
 }
 
 /// Writes `text` to stdout. A closed pipe is no error.
@@ -107,8 +128,11 @@ pub fn end_at_signals() {
 const SPEAKS_EVERY: Duration = Duration::from_secs(30);
 
 /// Progress bars and spinners on stderr; lines from time to time if that is no terminal. Reports move the last of them.
-#[derive(Default)]
-pub struct Bars(Mutex<Shown>);
+pub struct Bars {
+    /// Nothing is shown.
+    quiet: bool,
+    shown: Mutex<Shown>,
+}
 
 #[derive(Default)]
 struct Shown {
@@ -118,8 +142,13 @@ struct Shown {
 }
 
 impl Bars {
+    /// Shows nothing if `quiet`.
+    pub fn new(quiet: bool) -> Self {
+        Self { quiet, shown: Mutex::default() }
+    }
+
     fn shown(&self) -> MutexGuard<'_, Shown> {
-        self.0.lock().expect("no bar panics")
+        self.shown.lock().expect("no bar panics")
     }
 
     fn last(&self, act: impl FnOnce(&ProgressBar)) {
@@ -144,6 +173,9 @@ fn line(bar: &ProgressBar) -> String {
 
 impl Progress for Bars {
     fn begin(&self, total: u64, what: &str) {
+        if self.quiet {
+            return;
+        }
         let bar = if total == 0 { spinner(what) } else { bar(total, what) };
         let mut shown = self.shown();
         shown.spoke.get_or_insert_with(Instant::now);
@@ -164,6 +196,7 @@ impl Progress for Bars {
 
     fn note(&self, line: &str) {
         match self.shown().bars.last() {
+            _ if self.quiet => {}
             // A hidden bar prints nothing.
             Some(bar) if !bar.is_hidden() => bar.println(line),
             _ => eprintln!("{line}"),
@@ -213,8 +246,9 @@ mod tests {
 
     #[test]
     fn commands_are_recorded_without_what_changes_no_result() {
-        let words =
-            "tree a.obj --threads 2 --json --threads=3 --force --quality fast".split(' ').map(OsString::from);
+        let words = "tree a.obj --threads 2 --json --threads=3 --force -q --quality fast --quiet"
+            .split(' ')
+            .map(OsString::from);
         assert_eq!(command(words), "tree a.obj --quality fast");
     }
 

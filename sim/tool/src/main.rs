@@ -9,8 +9,10 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     console::end_at_signals();
-    let cli = cli::Cli::parse();
-    let command = console::command(std::env::args_os().skip(1));
+    base::guard::watch();
+    let mut cli = cli::Cli::parse();
+    cli.global.words = std::env::args_os().skip(1).collect();
+    let command = console::command(cli.global.words.iter().cloned());
     match commands::run(&cli) {
         Ok(report) => match console::print(&report.render(cli.global.json, &command)) {
             Ok(()) if report.difference => ExitCode::from(1),

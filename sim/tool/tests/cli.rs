@@ -418,3 +418,60 @@ fn a_closed_pipe_is_no_panic() {
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }
+
+/// A folder of results is made again by what it says of itself, wherever it lies.
+#[test]
+fn results_are_made_again() {
+    let work = Workplace::new();
+    std::fs::create_dir(work.path("a")).unwrap();
+    std::fs::copy(work.path("scene.obj"), work.path("a/scene.obj")).unwrap();
+    let line = "chart precision scene.obj --size 4x4 --quality fast --simulate false --seed 3 --out p";
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_dualsplit"))
+        .args(line.split(' ').chain(["--json", "--threads", "1"]))
+        .current_dir(work.path("a"))
+        .output()
+        .unwrap();
+    let first: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let made: serde_json::Value = serde_json::from_slice(&work.read("a/p/rerun.json")).unwrap();
+    let words: Vec<&str> = line.split(' ').collect();
+    assert_eq!((&made["arguments"], &made["folder"]), (&serde_json::json!(words), &"p".into()));
+    std::fs::rename(work.path("a"), work.path("b")).unwrap();
+    let table = work.read("b/p/precision.csv");
+    work.write("b/p/precision.csv", b"");
+    assert_eq!(work.json("rerun b/p"), first);
+    assert!(work.read("b/p/precision.csv") == table && work.path("b/p/rerun.json").exists());
+    std::fs::rename(work.path("b/p"), work.path("b/q")).unwrap();
+    work.refused("rerun b/q", &["written as p", "run `dualsplit chart precision"]);
+    work.refused("rerun b", &["rerun.json", "name their folder"]);
+    work.refused("rerun b/q --seed 4", &["--seed"]);
+    work.write(
+        "b/q/rerun.json",
+        b"{\"version\": \"9\", \"commit\": \"\", \"folder\": \"q\", \"arguments\": [\"sing\"]}",
+    );
+    work.refused("rerun b/q", &["rerun.json", "does not take `dualsplit sing`"]);
+}
+
+#[test]
+fn man_pages_and_completions_are_written() {
+    let work = Workplace::new();
+    let written = work.json("manual m");
+    let files = written["artifacts"].as_array().unwrap();
+    assert!(files.len() > 20 && files.iter().all(|file| work.path(file.as_str().unwrap()).exists()));
+    let page = String::from_utf8(work.read("m/man/dualsplit-chart-precision.1")).unwrap();
+    assert!(page.contains("most\\-visits") && page.contains("dualsplit chart precision"), "{page}");
+    let script = String::from_utf8(work.read("m/completions/dualsplit.bash")).unwrap();
+    assert!(script.contains("--most-visits") && script.contains("rerun"));
+    assert!(!work.path("m/man/dualsplit-manual.1").exists(), "hidden");
+}
+
+#[test]
+fn a_quiet_command_says_nothing_but_its_result() {
+    let work = Workplace::new();
+    work.write("dart.obj", b"v 0 0 0\nv 2 -1 0\nv 0.5 0 0\nv 2 1 0\nl 1 2\nf 2 3 4 1\n");
+    let said = |line: &str| work.run(line).stderr;
+    assert!(!said("tree dart.obj").is_empty() && said("tree dart.obj --quiet").is_empty());
+    assert_eq!(work.json("tree dart.obj -q")["command"], "tree dart.obj");
+    assert!(said("tree none.obj -q").starts_with(b"error: "));
+    let version = String::from_utf8(work.run("--version").stdout).unwrap();
+    assert!(version.starts_with(&format!("dualsplit {}", env!("CARGO_PKG_VERSION"))), "{version}");
+}

@@ -3,6 +3,7 @@
 mod support;
 
 use support::Workplace;
+use testing::tools::available;
 
 /// What a mode or another option makes meaningless is refused, and so is what would check or measure nothing.
 #[test]
@@ -14,6 +15,14 @@ fn options_without_use_are_refused() {
         ("tree statue --format obj", &["--format"]),
         ("scenes --detail 0.5", &["--detail", "--export"]),
         ("check --prove --vectors 5", &["--vectors", "--prove"]),
+        ("check --prove --seed 3", &["--seed", "a proof"]),
+        ("check --exhaustive binary16 mul --seed 3", &["--seed", "all pairs"]),
+        ("compare a.png a.png --seed 3", &["--seed", "a comparison"]),
+        ("simulate --validate nowhere --seed 3", &["--seed"]),
+        ("simulate --dump-config --seed 0", &["--seed"]),
+        ("scenes --seed 3", &["--seed", "list"]),
+        ("tree scene.obj --seed 3", &["--seed", "a scene from a file"]),
+        ("trace scene.obj --rays a.rays --seed 3", &["--seed", "a scene from a file"]),
         ("render scene.obj --out a.exr --exposure 1", &["--exposure"]),
         ("render scene.obj --out b.png --heatmap plane-tests --exposure 1", &["--exposure"]),
         ("simulate --dump-config --sample 10%", &["--sample", "--dump-config"]),
@@ -38,10 +47,66 @@ fn outputs_are_no_inputs_and_no_other_outputs() {
     let work = Workplace::new();
     work.refused("render scene.obj --size 8x8 --out a.png --rays ./a.png", &["--rays", "--out"]);
     work.json("render scene.obj --size 8x8 --out a.png --rays a.rays");
-    work.refused("trace scene.obj --rays a.rays --out a.rays --force", &["--out a.rays", "also read"]);
-    work.refused("tree scene.obj --save scene.obj --force", &["--save", "also read"]);
-    work.refused("compare a.png a.png --out a.png --force", &["--out", "also read"]);
+    work.refused("trace scene.obj --rays a.rays --out a.rays --force", &["a.rays", "file of --out"]);
+    work.refused("tree scene.obj --save scene.obj --force", &["scene.obj", "file of --save"]);
+    work.refused("compare a.png a.png --out a.png --force", &["a.png", "file of --out"]);
     work.refused("wave --unit fp_add --scene scene.obj --out w.fst", &["w.fst", ".vcd"]);
+}
+
+/// Every file that a command reads stays as it is, whatever names it.
+#[test]
+fn no_input_is_overwritten() {
+    let work = Workplace::new();
+    let machine =
+        work.run("simulate --dump-config --set chip.tms_per_partition=1 --set chip.l2_partitions=1");
+    work.write("my.toml", &machine.stdout);
+    work.write("scene.view.toml", b"fov = 40\n");
+    let corners = [[0f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let bytes: Vec<u8> = corners.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
+    work.write("corners.bin", &bytes);
+    let gltf = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "corners.bin"}]}"#;
+    work.write("a.gltf", gltf.as_bytes());
+    work.json("tree a.gltf");
+    let frame = "--size 4x4 --quality fast --force";
+    let kept = |name: &str, line: &str| {
+        let before = work.read(name);
+        work.refused(line, &[name, "name another"]);
+        assert!(before == work.read(name), "{line}");
+    };
+    kept("my.toml", &format!("simulate scene.obj --machine my.toml {frame} --csv my.toml"));
+    kept("scene.view.toml", &format!("simulate scene.obj {frame} --csv scene.view.toml"));
+    kept("scene.view.toml", &format!("render scene.obj {frame} --out a.png --rays ./scene.view.toml"));
+    kept("corners.bin", "tree a.gltf --save corners.bin --force");
+    kept("a.gltf", "tree a.gltf --save a.gltf --force");
+    if available("clang-14") {
+        work.json("simulate --dump-kernels .");
+        let kernel = format!("simulate scene.obj {frame} --kernel examples/no-t-min.c --machine my.toml");
+        kept("traversal.h", &format!("{kernel} --csv traversal.h"));
+    }
+    // A folder of results: what a later run would replace or remove is not read from it.
+    work.json("chart fidelity scene.obj --size 8x8 --quality fast --machine my.toml --repeats 1 --rtl false --out f");
+    std::fs::copy(work.path("my.toml"), work.path("f/fidelity.csv")).unwrap();
+    let line = "chart fidelity scene.obj --size 8x8 --quality fast --machine f/fidelity.csv --repeats 1 --rtl false --out f";
+    let before = work.read("f/fidelity.csv");
+    work.refused(line, &["f: ", "reads fidelity.csv", "name another"]);
+    assert!(before == work.read("f/fidelity.csv"));
+}
+
+/// What is written into standard output would lie in, or be replaced by, what is printed.
+#[test]
+#[cfg(unix)]
+fn standard_output_is_no_file() {
+    let work = Workplace::new();
+    let line = "simulate scene.obj --size 4x4 --quality fast --json --csv /dev/stdout";
+    work.refused(line, &["--csv /dev/stdout", "name a file"]);
+    let file = std::fs::File::create(work.path("out.json")).unwrap();
+    let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_dualsplit"));
+    run.args(line.split(' ')).arg("--force").current_dir(work.path(".")).stdout(file);
+    assert_eq!(run.output().unwrap().status.code(), Some(2));
+    assert!(work.read("out.json").is_empty());
 }
 
 /// A pipe stays a pipe: its reader gets the hits that a file would hold.

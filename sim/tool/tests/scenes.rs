@@ -84,6 +84,37 @@ fn a_view_beside_the_mesh_is_the_camera_and_options_win() {
     }
 }
 
+/// A square is as bright in any unit of length, and a power of two changes no bit.
+#[test]
+fn brightness_does_not_depend_on_the_unit_of_length() {
+    let work = Workplace::new();
+    let render = |scale: f32, test: &str| {
+        let corner = |x: f32, y: f32| format!("v {:e} {:e} 0\n", x * scale, y * scale);
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| corner(x, y));
+        work.write("quad.obj", format!("{}f 1 2 3\nf 1 3 4\n", corners.concat()).as_bytes());
+        let line =
+            format!("render quad.obj --size 24x24 --test {test} --quality fast --out quad.png --force");
+        (work.json(&line)["max"].as_f64().unwrap(), work.read("quad.png"))
+    };
+    for test in ["raycast", "path"] {
+        let (brightest, picture) = render(1.0, test);
+        assert!(brightest > 0.5, "{brightest}");
+        for exponent in [66, -70] {
+            assert!(
+                render(2f32.powi(exponent), test) == (brightest, picture.clone()),
+                "{test}, 2^{exponent}"
+            );
+        }
+        for scale in [1e20, 1e-21] {
+            let (other, _) = render(scale, test);
+            assert!(
+                (other / brightest - 1.0).abs() < 1e-4,
+                "{test}, {scale:e}: {other} instead of {brightest}"
+            );
+        }
+    }
+}
+
 #[test]
 fn standard_input_is_a_scene() {
     let work = Workplace::new();

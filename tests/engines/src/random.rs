@@ -199,6 +199,7 @@ impl ModuleMaker {
                 initial: self.dice.value(width),
                 data: self.of_width(width),
                 enable: (self.dice.roll(2) == 0).then(|| self.of_width(1)),
+                has_reset: false,
             })
             .collect();
         Module {

@@ -15,7 +15,8 @@
 //! less than `6.1 u M`. Over the two products of an edge function that makes `4 (6.1 u M) E + 2 (6.1 u M)^2`, and their own
 //! rounding adds `4.1 u E^2 <= 8.7 u M E`: together less than `34 u M (E + 3 u M)`. `EDGE_BOUND` asks for 40, which
 //! covers the rounding of the bound itself. `M` is required to lie in `RANGE` so that nothing overflows and what
-//! underflows is far below the bound.
+//! underflows is far below the bound. Where it does not, the same operations are tried in units of the power of two at or below `M`,
+//! so that a scene and the same scene times a power of two have the same hits.
 //!
 //! The sign of `t`, which decides whether a ray that starts on a triangle hits it, is that of `depth = U z_a + V z_b + W z_c`,
 //! off by at most `3 bound M` for the edge functions and `9 u M max(U, V, W)` for its own rounding; nearer to zero,
@@ -145,7 +146,11 @@ impl TriangleTest {
     #[inline]
     #[must_use]
     pub fn new(ray: &TraversalRay) -> Self {
-        let d = ray.direction;
+        Self::along(ray.direction)
+    }
+
+    #[inline]
+    fn along(d: [f32; 3]) -> Self {
         let largest = largest_axis(d);
         let axes = [(largest + 1) % 3, (largest + 2) % 3, largest];
         Self { axes, shear: [d[axes[0]] / d[axes[2]], d[axes[1]] / d[axes[2]], 1.0 / d[axes[2]]] }
@@ -155,9 +160,23 @@ impl TriangleTest {
     #[inline(always)]
     #[must_use]
     pub fn intersect(&self, ray: &TraversalRay, triangle: &Triangle, t_max: f32) -> Option<TriangleHit> {
-        let o = |k: usize| F32x4::splat(ray.origin[self.axes[k]]);
-        // Corners relative to the origin, then sheared so that the ray runs along the third axis.
-        let [ax, ay, az] = [0, 1, 2].map(|k| triangle.row(self.axes[k]).sub(o(k)));
+        match self.decide(self.translated(ray.origin, |k| triangle.row(k))) {
+            Decision::Missed => None,
+            Decision::Met(hit) => within_box(ray, triangle, hit, t_max),
+            Decision::Unsure => decide_exactly(ray, triangle, t_max),
+        }
+    }
+
+    /// The corners relative to `origin`, along the axes of the test; `row` gives a component of all corners.
+    #[inline(always)]
+    fn translated(&self, origin: [f32; 3], row: impl Fn(usize) -> F32x4) -> [F32x4; 3] {
+        self.axes.map(|axis| row(axis).sub(F32x4::splat(origin[axis])))
+    }
+
+    /// What single precision tells of the triangle with the translated corners.
+    #[inline(always)]
+    fn decide(&self, [ax, ay, az]: [F32x4; 3]) -> Decision {
+        // Sheared so that the ray runs along the third axis.
         let x = ax.sub(az.mul(F32x4::splat(self.shear[0])));
         let y = ay.sub(az.mul(F32x4::splat(self.shear[1])));
         // Lanes a, b, c hold U = x_c y_b - y_c x_b and its rotations.
@@ -169,37 +188,47 @@ impl TriangleTest {
         let negative = F32x4::splat(-bound).gt(edges) & 7;
         let in_range = RANGE.contains(&m);
         if positive != 0 && negative != 0 && in_range {
-            return None;
+            return Decision::Missed;
         }
-        if (positive == 7 || negative == 7) && in_range {
-            self.locate(ray, triangle, edges, az, (m, bound), t_max)
-        } else {
-            decide_exactly(ray, triangle, t_max)
+        if !((positive == 7 || negative == 7) && in_range) {
+            return Decision::Unsure;
         }
-    }
-
-    /// The hit, given that the edge functions' signs are certain and equal.
-    #[inline(always)]
-    fn locate(
-        &self,
-        ray: &TraversalRay,
-        triangle: &Triangle,
-        edges: F32x4,
-        az: F32x4,
-        (m, bound): (f32, f32),
-        t_max: f32,
-    ) -> Option<TriangleHit> {
+        // The edge functions' signs are certain and equal.
         let depths = edges.mul(az);
         let depth = depths.x() + depths.y() + depths.z();
         if depth.abs() <= 4.0 * m * (bound + 4.0 * UNIT_ROUNDOFF * largest_lane(edges.abs())) {
-            return decide_exactly(ray, triangle, t_max);
+            return Decision::Unsure;
         }
         let determinant = edges.x() + edges.y() + edges.z();
         let inv_determinant = 1.0 / determinant;
         let t = depth * self.shear[2] * inv_determinant;
-        let hit = TriangleHit { t, u: edges.y() * inv_determinant, v: edges.z() * inv_determinant };
-        within_box(ray, triangle, hit, t_max)
+        Decision::Met(TriangleHit { t, u: edges.y() * inv_determinant, v: edges.z() * inv_determinant })
     }
+
+    /// As [`TriangleTest::decide`] in units of the power of two at or below `M`, for an `M` beyond [`RANGE`].
+    fn decide_in_units(&self, corners: [F32x4; 3]) -> Decision {
+        let [ax, ay, az] = corners;
+        let m = largest_lane(ax.abs().max(ay.abs()).max(az.abs()));
+        if RANGE.contains(&m) || !m.is_normal() {
+            return Decision::Unsure;
+        }
+        let unit = f32::from_bits(m.to_bits() & f32::INFINITY.to_bits());
+        let scale = F32x4::splat(1.0 / unit);
+        match self.decide(corners.map(|row| row.mul(scale))) {
+            Decision::Met(hit) => Decision::Met(TriangleHit { t: hit.t * unit, ..hit }),
+            other => other,
+        }
+    }
+}
+
+/// What single precision tells of a ray and a triangle.
+enum Decision {
+    /// The ray's line does not meet it.
+    Missed,
+    /// The ray's line meets it here.
+    Met(TriangleHit),
+    /// Rounding could decide otherwise.
+    Unsure,
 }
 
 /// The axis of the largest component; of equal ones the last.
@@ -224,8 +253,22 @@ fn largest_lane(x: F32x4) -> f32 {
 #[cold]
 #[inline(never)]
 fn decide_exactly(ray: &TraversalRay, triangle: &Triangle, t_max: f32) -> Option<TriangleHit> {
-    let hit = exact_hit(ray.origin, ray.direction, &triangle.corners())?;
+    let hit = decided_hit(ray.origin, ray.direction, &triangle.corners())?;
     within_box(ray, triangle, hit, t_max)
+}
+
+/// Where the line from `origin` along `direction` meets the closed triangle, if single precision does not tell directly: in another
+/// unit of length where that is all that it takes, else as [`exact_hit`]. All inputs must be finite, and the largest component of
+/// `direction` in (1/2, 1], as that of [`TraversalRay::direction`].
+#[must_use]
+pub fn decided_hit(origin: [f32; 3], direction: [f32; 3], corners: &[[f32; 3]; 3]) -> Option<TriangleHit> {
+    let test = TriangleTest::along(direction);
+    let row = |k: usize| F32x4::load(&[corners[0][k], corners[1][k], corners[2][k], 0.0]);
+    match test.decide_in_units(test.translated(origin, row)) {
+        Decision::Missed => None,
+        Decision::Met(hit) => Some(hit),
+        Decision::Unsure => exact_hit(origin, direction, corners),
+    }
 }
 
 /// Where the line from `origin` along `direction` meets the closed triangle, decided exactly; `t` is not clamped to the triangle's

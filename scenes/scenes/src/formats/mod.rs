@@ -14,7 +14,6 @@ mod stl;
 mod write;
 
 use std::ffi::OsStr;
-use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
@@ -221,7 +220,7 @@ pub fn load(path: &Path, format: Option<Format>) -> Result<FileMesh, FormatError
     {
         return Err(at_file(FormatErrorKind::NotRead(name)));
     }
-    let file = File::open(path).map_err(|e| at_file(FormatErrorKind::Open(e)))?;
+    let file = source::open(path).map_err(|e| at_file(FormatErrorKind::Open(e)))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     read(BufReader::with_capacity(BUFFER_BYTES, file), path, Some(folder), format)
 }

@@ -1,6 +1,7 @@
 //! What groups say, in our units.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 use super::syntax::Group;
 use super::{Arc, LibertyError, Sense, Table};
@@ -20,15 +21,27 @@ impl<'t> Context<'t> {
             let text = group.value(attribute)?;
             scaled(text.strip_suffix(base)?)
         };
-        let missing = |what| LibertyError::Syntax { line: group.line, what };
-        let time_ns = unit("time_unit", "s").ok_or_else(|| missing("no time_unit"))? / 1e-9;
+        let of = |name: &str, value: Option<f64>, range: RangeInclusive<f64>| match value {
+            Some(value) if range.contains(&value) => Ok(value),
+            _ => {
+                let what = format!(
+                    "{name} is missing, or not from {:e} to {:e} of the SI unit",
+                    range.start(),
+                    range.end()
+                );
+                Err(LibertyError::Syntax { line: group.line, what })
+            }
+        };
+        let time_ns = of("time_unit", unit("time_unit", "s"), 1e-15..=1e-3)? / 1e-9;
         let load = group.values("capacitive_load_unit").filter(|values| values.len() == 2);
         let load = load.and_then(|values| {
             let prefix = values[1].to_ascii_lowercase();
             Some(number(Some(values[0]))? * scaled(&format!("1{}", prefix.strip_suffix('f')?))?)
         });
-        let farads = load.ok_or_else(|| missing("no capacitive_load_unit"))?;
-        let power_nw = unit("leakage_power_unit", "W").unwrap_or(1e-9) / 1e-9;
+        let farads = of("capacitive_load_unit", load, 1e-18..=1e-6)?;
+        // Where a library gives no unit, it means nanowatts.
+        let watts = group.value("leakage_power_unit").map_or(Some(1e-9), |_| unit("leakage_power_unit", "W"));
+        let power_nw = of("leakage_power_unit", watts, 1e-18..=1.0)? / 1e-9;
         let templates = group
             .groups
             .iter()

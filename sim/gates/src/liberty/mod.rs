@@ -10,11 +10,11 @@ mod embedded;
 pub mod function;
 mod read;
 mod sequential;
+mod sound;
 mod syntax;
 mod table;
 
-use base::input::{at_most, unpacked};
-use std::fs::File;
+use base::input::{at_most, open, unpacked};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
@@ -39,7 +39,7 @@ pub enum LibertyError {
         /// The line.
         line: usize,
         /// What is wrong.
-        what: &'static str,
+        what: String,
     },
     /// Something is wrong inside a file.
     #[error("{path}: {error}", path = .path.display())]
@@ -221,7 +221,7 @@ const MOST_BYTES: u64 = 1 << 30;
 /// # Errors
 /// [`LibertyError::File`] when it cannot be read.
 pub fn file_text(path: &Path) -> Result<String, LibertyError> {
-    let read = || at_most(unpacked(BufReader::new(File::open(path)?))?, MOST_BYTES);
+    let read = || at_most(unpacked(BufReader::new(open(path)?))?, MOST_BYTES);
     let bytes = read().map_err(|source| LibertyError::File { path: path.to_owned(), source })?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

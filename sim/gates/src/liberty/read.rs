@@ -4,9 +4,9 @@ use std::path::Path;
 
 use super::attributes::{Context, arc, capacitance, is_input, is_output, leakage, number};
 use super::function::{self, MAX_INPUTS, depends_on};
-use super::sequential;
 use super::syntax::{Group, parse};
 use super::{Arc, Cell, LibertyError, Library};
+use super::{sequential, sound};
 
 /// Reads the texts of files that make up one library.
 ///
@@ -21,14 +21,12 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
     for (path, text) in files {
         let in_file = |error| LibertyError::In { path: path.to_path_buf(), error: Box::new(error) };
         let group = parse(text).map_err(in_file)?;
+        sound::check(&group).map_err(in_file)?;
         let volts = number(group.value("nom_voltage"));
-        let volts = volts
-            .ok_or(LibertyError::Syntax { line: group.line, what: "no nom_voltage" })
-            .map_err(in_file)?;
-        if voltage_v.is_some_and(|known| known != volts) {
+        if voltage_v.is_some() && voltage_v != volts {
             return Err(LibertyError::Mixed("nom_voltage"));
         }
-        voltage_v = Some(volts);
+        voltage_v = volts;
         if name.is_empty() {
             group.name().clone_into(&mut name);
         }
@@ -102,8 +100,7 @@ fn tie(cell: &Group) -> Option<(usize, (String, f64))> {
 
 /// A cell with one output that is a function of up to six inputs, with complete tables.
 fn combinational(context: &Context, cell: &Group) -> Option<Cell> {
-    let is_state =
-        |group: &Group| matches!(group.kind, "ff" | "latch" | "statetable" | "ff_bank" | "latch_bank");
+    let is_state = |group: &Group| sound::STATES.contains(&group.kind);
     if cell.groups.iter().any(is_state) || cell.value("clock_gating_integrated_cell").is_some() {
         return None;
     }

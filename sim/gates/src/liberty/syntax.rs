@@ -63,7 +63,7 @@ struct Reader<'t> {
 
 impl<'t> Reader<'t> {
     fn error(&self, what: &'static str) -> LibertyError {
-        LibertyError::Syntax { line: self.line, what }
+        LibertyError::Syntax { line: self.line, what: what.to_owned() }
     }
 
     fn peek(&self) -> Option<u8> {

@@ -3,7 +3,7 @@
 use super::{LoadWords, MachineDescription};
 use costs::Unit;
 use memory::description::MAX_BANKS;
-use memory::description::check::{MAX_LATENCY, OutOfRange, power_of_two, within};
+use memory::description::check::{MAX_LATENCY, OutOfRange, in_short, power_of_two, within};
 
 /// Why a machine cannot be built.
 #[derive(Debug, thiserror::Error)]
@@ -65,7 +65,7 @@ impl MachineDescription {
     pub(super) fn check(&self) -> Result<(), DescriptionError> {
         let Self { chip, tm, icache, .. } = self;
         if !(0.001..=100.0).contains(&self.clock_ghz) {
-            return Err(out_of_range("clock_ghz", self.clock_ghz, "from 0.001 to 100"));
+            return Err(out_of_range("clock_ghz", in_short(self.clock_ghz), "from 0.001 to 100"));
         }
         within("chip.l2_partitions", chip.l2_partitions, 1, MAX_TMS)?;
         within("chip.tms_per_partition", chip.tms_per_partition, 1, MAX_TMS / chip.l2_partitions)?;
@@ -79,7 +79,7 @@ impl MachineDescription {
         if let LoadWords::Words(words) = tm.load_words
             && ![1, 2, 4].contains(&words)
         {
-            return Err(out_of_range("tm.load_words", words, "1, 2, 4 or \"line\""));
+            return Err(out_of_range("tm.load_words", words, "1, 2, 4, or line for all words of a line"));
         }
         within("icache.caches", icache.caches, 1, MAX_THREADS)?;
         power_of_two("icache.banks", icache.banks, MAX_BANKS)?;

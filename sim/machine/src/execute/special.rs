@@ -4,7 +4,7 @@ use golden::Aabb;
 use golden::bvh::{BoxStep, box_step};
 use golden::dst::{Step, step};
 use golden::ray::PlaneRay;
-use golden::triangle::{TriangleHit, exact_hit};
+use golden::triangle::{TriangleHit, decided_hit};
 
 /// What the operations that MIPS32 does not have compute. The defaults are golden's functions, the definition of each.
 ///
@@ -53,8 +53,8 @@ pub trait Special: Sync {
         box_step(bounds, ray, 0.0, t_max)
     }
 
-    /// `EXACT`: the exact decision of a triangle test.
+    /// `EXACT`: the decision of a triangle test that single precision does not make directly.
     fn exact(&self, origin: [f32; 3], direction: [f32; 3], corners: &[[f32; 3]; 3]) -> Option<TriangleHit> {
-        exact_hit(origin, direction, corners)
+        decided_hit(origin, direction, corners)
     }
 }

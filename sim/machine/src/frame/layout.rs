@@ -1,7 +1,7 @@
 //! Where everything lies in the machine's memory, in 32-bit words.
 
 use crate::description::check::out_of_range;
-use crate::description::{DescriptionError, MachineDescription};
+use crate::description::{Bytes, DescriptionError, MachineDescription};
 use crate::execute::Memory;
 use crate::kernels::parameter;
 use golden::ray::{EXIT_PADDING_ULPS, Mode};
@@ -44,7 +44,7 @@ impl Layout {
         let bytes = machine.dram.bytes(machine.l2.line.0);
         if words * 4 > bytes {
             let rule =
-                format!("{} bytes of scene and picture do not fit in {bytes} bytes of memory", words * 4);
+                format!("scene and picture take {}, and the memory has {}", Bytes(words * 4), Bytes(bytes));
             return Err(out_of_range("dram.rows", machine.dram.rows, rule));
         }
         Ok(Self {

@@ -2,7 +2,7 @@
 
 use crate::description::{DescriptionError, MachineDescription, NodeLayout};
 use crate::kernels;
-use crate::pipelines::{add_units_beyond, take_units};
+use crate::pipelines::take_units;
 use crate::program::{ListingError, Opcode, Program};
 use costs::Pipeline;
 use golden::structure::StructureKind;
@@ -187,10 +187,8 @@ impl FrameMachine {
         let mut description = machine.clone();
         let own = structure.pipeline().map(&pipeline);
         if let Some(own) = &own {
-            if structure.adds_units() {
-                add_units_beyond(own, &pipeline(RAY_BOX), &mut description);
-            }
-            take_units(own, &mut description)?;
+            let single = structure.adds_units().then(|| pipeline(RAY_BOX));
+            take_units(own, single.as_ref(), &mut description)?;
         }
         Ok(Self { structure, description, pipeline: own, kernel: None })
     }

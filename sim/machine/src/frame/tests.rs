@@ -264,7 +264,7 @@ fn a_wrong_exact_decision_changes_the_picture() {
     let scaled = |point: &mut [f32; 3]| point.iter_mut().for_each(|x| *x *= scale);
     scene.mesh.positions.iter_mut().for_each(scaled);
     [&mut scene.camera.eye, &mut scene.camera.target, &mut scene.light.position].into_iter().for_each(scaled);
-    scene.light.intensity = scene.light.intensity.map(|x| x * scale * scale);
+    scene.light.intensity = scene.light.intensity.map(|x| x * f64::from(scale).powi(2));
     let tree = build(&scene.mesh, &BuildOptions::new(Quality::Fast)).unwrap();
     let structure =
         Structure::convert(MachineStructure::Dst.kind(), &tree, &pack_triangles(&scene.mesh, &tree)).unwrap();
@@ -287,6 +287,30 @@ fn a_wrong_exact_decision_changes_the_picture() {
     let (exact, all) = run(CORRUPTED.len()).unwrap();
     assert_eq!(exact, all);
     assert!(run(8).is_err());
+}
+
+/// Scaled by a power of two at which squares of lengths leave binary32, all programs give the same picture.
+#[test]
+fn the_picture_does_not_depend_on_the_unit_of_length() {
+    let picture = |of: MachineStructure, exponent: i32| {
+        let mut scene = PREPARED.0.clone();
+        let scale = 2f32.powi(exponent);
+        let scaled = |point: &mut [f32; 3]| point.iter_mut().for_each(|x| *x *= scale);
+        scene.mesh.positions.iter_mut().for_each(scaled);
+        let (camera, light) = (&mut scene.camera, &mut scene.light);
+        [&mut camera.eye, &mut camera.target, &mut light.position].into_iter().for_each(scaled);
+        light.intensity = light.intensity.map(|x| x * f64::from(scale).powi(2));
+        let tree = build(&scene.mesh, &BuildOptions::new(Quality::Fast)).unwrap();
+        let structure = Structure::convert(of.kind(), &tree, &pack_triangles(&scene.mesh, &tree)).unwrap();
+        let frame = frame(&machine(of), &scene, &structure, &options(), |_| ()).unwrap();
+        frame.pixels.iter().map(|pixel| pixel.rgb.map(f32::to_bits)).collect::<Vec<_>>()
+    };
+    let first = picture(MachineStructure::Dst, 0);
+    for of in MachineStructure::ALL {
+        for exponent in [66, -70] {
+            assert!(picture(of, exponent) == first, "{of}, 2^{exponent}");
+        }
+    }
 }
 
 #[test]

@@ -16,7 +16,7 @@
 //! | `BOXLOAD lane, a, n` | word `a + n` of global memory to component `n - 1` of the box in the lane |
 //! | `BOXTESTS hits, lanes, ...` | the boxes in lanes `lanes` down to 1; bit 0 of `hits` is that of lane `lanes` |
 //! | `ENTRY d, lane` | the distance at which the box in the lane was entered |
-//! | `EXACT hit, t, u, v, a, origin x3, direction x3` | [`golden::triangle::exact_hit`] on the triangle at word `a` |
+//! | `EXACT hit, t, u, v, a, origin x3, direction x3` | [`golden::triangle::decided_hit`] on the triangle at word `a` |
 //!
 //! `EXACT` stands for the library routine that decides a triangle test which single precision does not, and counts as
 //! one instruction. Ordinary loads and stores (`lw`, `swc1`) reach the thread's local store only. `%gp_rel` loads bring constants

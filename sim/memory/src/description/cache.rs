@@ -91,14 +91,14 @@ impl Cache {
     /// The first key that is out of range.
     pub fn check(&self, section: &str) -> Result<(), OutOfRange> {
         let key = |name: &str| format!("{section}.{name}");
-        let power = |name: &str, value: u64, least: u64, most: u64| {
-            if (least..=most).contains(&value) && value.is_power_of_two() {
+        let power = |name: &str, value: Bytes, least: Bytes, most: Bytes| {
+            if (least..=most).contains(&value) && value.0.is_power_of_two() {
                 return Ok(());
             }
-            Err(OutOfRange::new(key(name), value, format!("a power of two of bytes from {least} to {most}")))
+            Err(OutOfRange::new(key(name), value, format!("a power of two from {least} to {most}")))
         };
-        power("line", self.line.0, 16, 256)?;
-        power("size", self.size.0, self.line.0, 64 << 20)?;
+        power("line", self.line, Bytes(16), Bytes(256))?;
+        power("size", self.size, self.line, Bytes(64 << 20))?;
         power_of_two(&key("banks"), self.banks, MAX_BANKS)?;
         within(&key("ports"), self.ports, 1, MAX_PORTS)?;
         power_of_two(&key("associativity"), self.associativity, self.lines())?;

@@ -45,7 +45,14 @@ pub fn amount(key: &str, value: f64) -> Result<(), OutOfRange> {
     if (0.0..=MAX_AMOUNT).contains(&value) {
         return Ok(());
     }
-    Err(OutOfRange::new(key, value, format!("from 0 to {MAX_AMOUNT}")))
+    Err(OutOfRange::new(key, in_short(value), format!("from 0 to {MAX_AMOUNT}")))
+}
+
+/// `value` without a row of zeros: 1e-300 has 300 of them.
+#[must_use]
+pub fn in_short(value: f64) -> String {
+    let text = value.to_string();
+    if text.len() > 12 { format!("{value:e}") } else { text }
 }
 
 /// Checks that `key` is a power of two from 1 to `most`.

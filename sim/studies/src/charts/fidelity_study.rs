@@ -55,6 +55,9 @@ pub struct FidelityChart {
     pub height: u32,
     pub batches: u32,
     pub points: Vec<FidelityPoint>,
+    /// The folder that was written.
+    #[serde(skip)]
+    pub folder: PathBuf,
     #[serde(skip)]
     pub artifacts: Vec<String>,
 }
@@ -66,9 +69,9 @@ pub struct FidelityChart {
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<FidelityChart> {
     let scene = args.scene.load(progress)?;
     let folder = args.out.clone().unwrap_or_else(|| format!("fidelity-{}", scene.name).into());
-    let mut artifacts = Artifacts::create(&folder, args.force)?;
     let machine = MachineDescription::load(&args.machine, &args.settings)?;
     let set_up = FrameMachine::new(&machine, args.structure, estimate::by_name(Method::Published))?;
+    let mut artifacts = Artifacts::create(&folder, args.force)?;
     let (structure, _) = Built::new(&scene, args.quality, progress)?.convert(args.structure.kind())?;
     let [width, height] = args.size;
     let options = RenderOptions { seed: args.scene.seed, ..RenderOptions::new(args.test, width, height) };
@@ -91,6 +94,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<FidelityCh
         height,
         batches: subject.batches(1.0).count,
         points,
+        folder,
         artifacts: artifacts.finish()?.iter().map(|path| display(path)).collect(),
     })
 }

@@ -60,6 +60,9 @@ pub struct PrecisionChart {
     pub left_out: Vec<String>,
     /// The source of area and energy.
     pub cost_source: Option<String>,
+    /// The folder that was written.
+    #[serde(skip)]
+    pub folder: PathBuf,
     #[serde(skip)]
     pub artifacts: Vec<String>,
 }
@@ -71,6 +74,17 @@ pub struct PrecisionChart {
 pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<PrecisionChart> {
     let scene = args.scene.load(progress)?;
     let folder = args.out.clone().unwrap_or_else(|| format!("precision-{}", scene.name).into());
+    let machine = match &args.machine {
+        Some((name, settings)) => {
+            let description = MachineDescription::load(name, settings)?;
+            Some(FrameMachine::new(
+                &description,
+                MachineStructure::Dst,
+                estimate::by_name(Method::Published),
+            )?)
+        }
+        None => None,
+    };
     let mut artifacts = Artifacts::create(&folder, args.force)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let [width, height] = args.size;
@@ -83,17 +97,6 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<PrecisionC
     // Area and energy are those of the dual-split pipeline, whichever structure is traversed.
     let (dst, _) = built.convert(StructureKind::Dst)?;
     let rays = sweep.closest_rays(Variant::Naive.mode());
-    let machine = match &args.machine {
-        Some((name, settings)) => {
-            let description = MachineDescription::load(name, settings)?;
-            Some(FrameMachine::new(
-                &description,
-                MachineStructure::Dst,
-                estimate::by_name(Method::Published),
-            )?)
-        }
-        None => None,
-    };
     for format in formats {
         part.next(&format.to_string());
         let cost = match &dst {
@@ -140,6 +143,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<PrecisionC
         most_visits: args.most_visits,
         left_out,
         cost_source,
+        folder,
         artifacts: artifacts.finish()?.iter().map(|path| display(path)).collect(),
     })
 }

@@ -71,7 +71,7 @@ pub fn run(
 /// The state that an interrupted run left, or that of a check that begins.
 fn resume(path: &Path, check: &Exhaustive) -> anyhow::Result<State> {
     let fresh = check.start();
-    let text = match base::input::read_text(path, MOST_BYTES) {
+    let text = match base::input::read_own(path, MOST_BYTES) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(fresh),
         Err(error) => return Err(error).with_context(|| format!("{}: cannot be read", path.display())),

@@ -182,6 +182,8 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
     let workloads = (args.scenes.iter())
         .map(|scene| Ok(Workload::new(&scene.load(progress)?, args.quality)?))
         .collect::<anyhow::Result<Vec<Workload>>>()?;
+    let mut artifacts =
+        args.out.as_deref().map(|folder| Artifacts::create(folder, args.force)).transpose()?;
     let workload = workloads.first().context("--scene names no scene")?;
     let tops = [Top::DualSplit, Top::RayBox, Top::DualSplitLean, Top::RayBoxLean];
     let part = Part::begin(progress, (tops.len() + workloads.len()) as u64 + 1, "mapping and measuring");
@@ -230,8 +232,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
     let sections = report::sections(&estimates);
     let text = report::text(&sections);
     let mut files = vec![];
-    if let Some(folder) = &args.out {
-        let mut artifacts = Artifacts::create(folder, args.force)?;
+    if let Some(mut artifacts) = artifacts.take() {
         let json = serde_json::to_vec_pretty(&estimates).context("estimate.json")?;
         artifacts.write("estimate.txt", text.as_bytes())?;
         artifacts.write("estimate.json", &json)?;

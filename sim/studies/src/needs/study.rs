@@ -89,6 +89,9 @@ pub struct Needs {
     pub exponent_sweep: Vec<PrecisionPoint>,
     pub carve_visits: [u64; golden::dst::MAX_CARVES],
     pub miss_curve: Vec<CachePoint>,
+    /// The folder that was written.
+    #[serde(skip)]
+    pub folder: PathBuf,
     #[serde(skip)]
     pub artifacts: Vec<String>,
 }
@@ -204,6 +207,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Needs> {
         exponent_sweep,
         carve_visits,
         miss_curve,
+        folder,
         artifacts: vec![],
     };
     artifacts.write("needs.toml", files::machine(&needs)?.to_toml().as_bytes())?;

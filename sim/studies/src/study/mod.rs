@@ -14,7 +14,7 @@ use crate::artifacts::Artifacts;
 use crate::input::{Built, display};
 use crate::progress::{Part, Progress};
 use anyhow::bail;
-use base::input::read_text;
+use base::input::read_own;
 use comparison::{Claim, compare};
 use costs::Pipeline;
 use estimate::Method;
@@ -162,6 +162,8 @@ fn planned(preset: &Preset, args: &Options) -> anyhow::Result<Vec<Planned>> {
     for scene in scenes::procedural::CATALOGUE {
         for job in Job::of_scene(scene.name, preset) {
             let machine = job.machine(&args.machine, &args.settings)?;
+            // A machine whose parts have no cost shows before anything is simulated or written.
+            CacheCosts::new(&machine)?;
             let machine = FrameMachine::new(&machine, job.structure, pipeline)?;
             let fingerprint = record::fingerprint(&machine, args.quality, args.seed, preset);
             let file = job.file(scene.name, &args.preset);
@@ -178,7 +180,7 @@ fn finished(folder: &Path) -> BTreeMap<String, Record> {
     let run = |entry: fs::DirEntry| {
         let name = format!("runs/{}", entry.file_name().to_str()?);
         let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-        let text = is_file.then(|| read_text(&entry.path(), record::MOST_BYTES).ok()).flatten()?;
+        let text = is_file.then(|| read_own(&entry.path(), record::MOST_BYTES).ok()).flatten()?;
         Some((name, serde_json::from_str(&text).ok()?))
     };
     entries.filter_map(run).collect()
@@ -199,10 +201,6 @@ fn simulate_scene(
     let open: Vec<&Planned> = planned.iter().filter(is_open).copied().collect();
     if open.is_empty() {
         return Ok(());
-    }
-    for planned in &open {
-        // A machine whose parts have no cost shows before a frame is simulated.
-        CacheCosts::new(&planned.machine.description)?;
     }
     let scene = Scene::load(name, preset.detail, args.seed)?;
     let built = Built::new(&scene, args.quality, progress)?;

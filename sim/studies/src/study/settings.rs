@@ -3,7 +3,7 @@
 use super::{Options, record};
 use crate::input::quality_name;
 use anyhow::bail;
-use base::input::read_text;
+use base::input::read_own;
 use machine::description::MachineDescription;
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +37,7 @@ impl Settings {
     /// # Errors
     /// The first setting that differs.
     pub(super) fn compare(&self, args: &Options) -> anyhow::Result<()> {
-        let found = read_text(&args.out.join(FILE), record::MOST_BYTES).ok();
+        let found = read_own(&args.out.join(FILE), record::MOST_BYTES).ok();
         let found = found.and_then(|text| serde_json::from_str::<Self>(&text).ok());
         let Some(found) = found.filter(|found| found != self && !args.force) else { return Ok(()) };
         let differs = if found.quality != self.quality {

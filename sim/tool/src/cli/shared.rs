@@ -13,20 +13,54 @@ use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 use studies::input::{SceneSource, StructureSource, View};
 
-#[derive(Args, Clone, Copy, Debug)]
+/// The heading of [`Global`] in help texts.
+const OF_ALL: &str = "Options of all commands";
+
+#[derive(Args, Clone, Debug)]
 pub struct Global {
     /// Print one JSON document instead of tables.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, help_heading = OF_ALL)]
     pub json: bool,
-    /// Seed of the built-in scenes, of the renderer's samples and of the checks' stimulus.
-    #[arg(long, global = true, default_value_t = 0, value_name = "N")]
-    pub seed: u64,
+    /// Print neither progress nor notes, only results and errors.
+    #[arg(long, short, global = true, help_heading = OF_ALL)]
+    pub quiet: bool,
+    /// Seed of the built-in scenes, of the renderer's samples and of the checks' stimulus [default: 0].
+    #[arg(long, global = true, value_name = "N", help_heading = OF_ALL)]
+    pub seed: Option<u64>,
     /// Number of threads; results do not depend on it [default: all processors].
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = OF_ALL)]
     pub threads: Option<u16>,
     /// Replace files that exist.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, help_heading = OF_ALL)]
     pub force: bool,
+    /// The words of the command line, for the record.
+    #[arg(skip)]
+    pub words: Vec<OsString>,
+}
+
+impl Global {
+    /// The seed.
+    pub fn seed(&self) -> u64 {
+        self.seed.unwrap_or(0)
+    }
+
+    /// Checks that no seed is given to `what`.
+    ///
+    /// # Errors
+    /// One is.
+    pub fn without_seed(&self, what: &str) -> anyhow::Result<()> {
+        ensure!(self.seed.is_none(), "--seed: {what} draws nothing at random; leave it away");
+        Ok(())
+    }
+}
+
+/// What a command draws at random, by the seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawn {
+    /// Built-in scenes alone.
+    Scenes,
+    /// Samples or a choice of rays as well.
+    Samples,
 }
 
 /// The scene.
@@ -44,8 +78,8 @@ impl SceneArgs {
     ///
     /// # Errors
     /// An option that does not apply to it.
-    pub fn source(&self, global: &Global) -> anyhow::Result<SceneSource> {
-        self.load.source(&self.scene, global)
+    pub fn source(&self, drawn: Drawn, global: &Global) -> anyhow::Result<SceneSource> {
+        self.load.source(&self.scene, drawn, global)
     }
 }
 
@@ -64,20 +98,25 @@ impl LoadArgs {
     ///
     /// # Errors
     /// Those of [`LoadArgs::sources`].
-    pub fn source(self, name: &OsStr, global: &Global) -> anyhow::Result<SceneSource> {
-        Ok(self.sources(&[name], global)?.remove(0))
+    pub fn source(self, name: &OsStr, drawn: Drawn, global: &Global) -> anyhow::Result<SceneSource> {
+        Ok(self.sources(&[name], drawn, global)?.remove(0))
     }
 
     /// The scenes `names`, loaded like this.
     ///
     /// # Errors
     /// An option that applies to none of them.
-    pub fn sources(self, names: &[impl AsRef<OsStr>], global: &Global) -> anyhow::Result<Vec<SceneSource>> {
+    pub fn sources(
+        self,
+        names: &[impl AsRef<OsStr>],
+        drawn: Drawn,
+        global: &Global,
+    ) -> anyhow::Result<Vec<SceneSource>> {
         let source = |name: &OsStr| SceneSource {
             name: name.to_owned(),
             format: self.format,
             detail: self.detail.value(),
-            seed: global.seed,
+            seed: global.seed(),
         };
         let sources: Vec<SceneSource> = names.iter().map(|name| source(name.as_ref())).collect();
         let files = sources.iter().filter(|source| source.path().is_some()).count();
@@ -89,6 +128,9 @@ impl LoadArgs {
             self.format.is_none() || files > 0,
             "--format is that of a file, and a built-in scene has none; leave it away"
         );
+        if drawn == Drawn::Scenes && files == sources.len() {
+            global.without_seed("the command, with a scene from a file,")?;
+        }
         Ok(sources)
     }
 }

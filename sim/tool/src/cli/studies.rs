@@ -1,5 +1,6 @@
 //! Arguments of the commands that simulate, chart, stress and study.
 
+use super::examples::{FIDELITY, PRECISION};
 use super::shared::{CostArgs, LoadArgs, MachineArgs, ModeArgs, QualityArgs, SceneArgs};
 use super::values::{factor, fraction, machine_structure, not_negative, one_of, size, structure, test};
 use clap::{Args, Subcommand};
@@ -22,8 +23,10 @@ pub struct ChartArgs {
 #[derive(Debug, Subcommand)]
 pub enum ChartKind {
     /// Visits, lost hits and image error in every format, rounded naively and conservatively: CSV and SVG.
+    #[command(after_help = PRECISION)]
     Precision(PrecisionArgs),
     /// The host's time against the error in frame time and energy, over levels and samples of the simulation: CSV and SVG.
+    #[command(after_help = FIDELITY)]
     Fidelity(FidelityArgs),
 }
 

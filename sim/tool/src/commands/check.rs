@@ -10,10 +10,11 @@ use studies::check::{self, Checks, Options};
 
 pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
     if let Some(words) = &args.exhaustive {
-        return pairs(words, args);
+        global.without_seed("a check of all pairs")?;
+        return pairs(words, args, global);
     }
-    let options = Options { unit: args.unit, vectors: args.vectors, fault: args.mutate, seed: global.seed };
-    let checks = check::run(&options, &Bars::default())?;
+    let options = Options { unit: args.unit, vectors: args.vectors, fault: args.mutate, seed: global.seed() };
+    let checks = check::run(&options, &Bars::new(global.quiet))?;
     let mut report = Report::new(&checks, text(&checks), vec![]);
     report.difference = checks.units.iter().any(|unit| unit.mismatches > 0);
     Ok(report)
@@ -50,10 +51,10 @@ struct Document {
 }
 
 /// The check of all pairs of operands of a format.
-fn pairs(words: &[String], args: &CheckArgs) -> anyhow::Result<Report> {
+fn pairs(words: &[String], args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
     let [format, operation] = words else { bail!("--exhaustive takes a format and an operation") };
     let operation = operation.parse().map_err(anyhow::Error::msg)?;
-    let pairs = exhaustive::run(format.parse()?, operation, args.state.as_deref(), &Bars::default())?;
+    let pairs = exhaustive::run(format.parse()?, operation, args.state.as_deref(), &Bars::new(global.quiet))?;
     let mut text = table(
         ["check", "vectors", "mismatches", "vectors/s"],
         [[

@@ -6,6 +6,7 @@ use studies::compare::{self, Options};
 use studies::input::display_all;
 
 pub fn run(args: &CompareArgs, global: &Global) -> anyhow::Result<Report> {
+    global.without_seed("a comparison")?;
     let options =
         Options { a: args.a.clone(), b: args.b.clone(), out: args.out.clone(), force: global.force };
     let d = compare::run(&options)?;

@@ -1,6 +1,6 @@
 //! `dualsplit estimate`: area, energy and speed of the pipelines, beside the published figures.
 
-use crate::cli::{EstimateArgs, Global};
+use crate::cli::{Drawn, EstimateArgs, Global};
 use crate::console::{Bars, Report};
 use studies::estimation::{self, Options};
 use studies::input::display_all;
@@ -9,11 +9,11 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         liberty: args.liberty.clone(),
         synthesis: args.synth,
-        scenes: args.load.sources(&args.scene, global)?,
+        scenes: args.load.sources(&args.scene, Drawn::Scenes, global)?,
         quality: args.quality.quality,
         out: args.out.clone(),
         force: global.force,
     };
-    let (estimates, text, files) = estimation::run(&options, &Bars::default())?;
-    Ok(Report::new(&estimates, text, display_all(&files)))
+    let (estimates, text, files) = estimation::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&estimates, text, display_all(&files)).in_folder(args.out.clone()))
 }

@@ -1,6 +1,6 @@
 //! `dualsplit explain`: the traversal of one pixel's primary ray, step by step.
 
-use crate::cli::{ExplainArgs, Global};
+use crate::cli::{Drawn, ExplainArgs, Global};
 use crate::console::{Bars, Report};
 use std::fmt::Write;
 use studies::explain::{self, Explanation, Options};
@@ -8,7 +8,7 @@ use studies::walk::Step;
 
 pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Scenes, global)?,
         view: args.view.view(),
         size: args.view.size,
         pixel: args.pixel,
@@ -16,7 +16,7 @@ pub fn run(args: &ExplainArgs, global: &Global) -> anyhow::Result<Report> {
         quality: args.quality.quality,
         structures: args.structure.clone(),
     };
-    let explanation = explain::run(&options, &Bars::default())?;
+    let explanation = explain::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&explanation, text(&explanation), vec![]))
 }
 

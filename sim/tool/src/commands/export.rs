@@ -21,9 +21,10 @@ pub fn run(args: &ExportArgs, global: &Global) -> anyhow::Result<Report> {
         one_file: args.one_file,
         no_reset: args.no_reset,
         period_ns: args.period_ns,
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
-    let files = display_all(&export::run(&options, &Bars::default())?);
-    Ok(Report::new(&Document { format: args.format.name() }, files.join("\n"), files))
+    let files = display_all(&export::run(&options, &Bars::new(global.quiet))?);
+    let text = files.join("\n");
+    Ok(Report::new(&Document { format: args.format.name() }, text, files).in_folder(args.out.clone()))
 }

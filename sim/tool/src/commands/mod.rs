@@ -7,14 +7,17 @@ mod compare;
 mod estimate;
 mod explain;
 mod export;
+mod manual;
 mod needs;
 mod prove;
 mod render;
 mod reproduce;
+mod rerun;
 mod scenes;
 mod simulate;
 mod stress;
 mod study;
+mod sweep;
 mod trace;
 mod tree;
 mod validate;
@@ -22,7 +25,7 @@ mod wave;
 
 use crate::cli::{Cli, Command, Global, ReproduceArgs};
 use crate::console::Report;
-use anyhow::Context;
+use anyhow::{Context, bail};
 
 /// Runs the command of `cli`.
 pub fn run(cli: &Cli) -> anyhow::Result<Report> {
@@ -34,13 +37,20 @@ pub fn run(cli: &Cli) -> anyhow::Result<Report> {
         })?;
     }
     match &cli.command {
+        Some(Command::Rerun(args)) => rerun::run(args, global, dispatch),
         Some(command) => dispatch(command, global),
-        None => reproduce::run(&ReproduceArgs::default(), global, dispatch),
+        None => dispatch(&Command::Reproduce(ReproduceArgs::default()), global),
     }
 }
 
-/// Runs `command` on the threads of the global pool.
+/// Runs `command` on the threads of the global pool, and records it in the folder of its results.
 fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
+    let mut report = perform(command, global)?;
+    rerun::record(&mut report, &global.words)?;
+    Ok(report)
+}
+
+fn perform(command: &Command, global: &Global) -> anyhow::Result<Report> {
     match command {
         Command::Scenes(args) => scenes::run(args, global),
         Command::Tree(args) => tree::run(args, global),
@@ -48,7 +58,7 @@ fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
         Command::Render(args) => render::run(args, global),
         Command::Compare(args) => compare::run(args, global),
         Command::Explain(args) => explain::run(args, global),
-        Command::Check(args) if args.prove => prove::run(args),
+        Command::Check(args) if args.prove => prove::run(args, global),
         Command::Check(args) => check::run(args, global),
         Command::Export(args) => export::run(args, global),
         Command::Wave(args) => wave::run(args, global),
@@ -58,6 +68,9 @@ fn dispatch(command: &Command, global: &Global) -> anyhow::Result<Report> {
         Command::Estimate(args) => estimate::run(args, global),
         Command::Simulate(args) => simulate::run(args, global),
         Command::Study(args) => study::run(args, global),
+        Command::Sweep(args) => sweep::run(args, global),
         Command::Reproduce(args) => reproduce::run(args, global, dispatch),
+        Command::Rerun(_) => bail!("a rerun of a rerun: name the folder of other results"),
+        Command::Manual(args) => manual::run(args, global),
     }
 }

@@ -1,13 +1,13 @@
 //! `dualsplit needs`: the least hardware that a scene needs within an error budget.
 
-use crate::cli::{Global, NeedsArgs};
+use crate::cli::{Drawn, Global, NeedsArgs};
 use crate::console::{Bars, Report, fixed, table};
 use studies::needs::memory::DRAM_BYTES_PER_CYCLE;
 use studies::needs::study::{self, Needs, Options};
 
 pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Samples, global)?,
         test: args.test,
         variant: args.variant,
         max_image_error: args.max_image_error,
@@ -18,8 +18,8 @@ pub fn run(args: &NeedsArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let needs = study::run(&options, &Bars::default())?;
-    Ok(Report::new(&needs, text(&needs), needs.artifacts.clone()))
+    let needs = study::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&needs, text(&needs), needs.artifacts.clone()).in_folder(needs.folder.clone()))
 }
 
 fn text(d: &Needs) -> String {

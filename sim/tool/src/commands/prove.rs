@@ -1,11 +1,12 @@
 //! `dualsplit check --prove`: proofs that the hardware equals its references for all inputs and states.
 
-use crate::cli::CheckArgs;
+use crate::cli::{CheckArgs, Global};
 use crate::console::{Bars, Report, fixed, table};
 use studies::prove::{self, Proofs};
 
-pub fn run(args: &CheckArgs) -> anyhow::Result<Report> {
-    let proofs = prove::run(args.unit, &Bars::default())?;
+pub fn run(args: &CheckArgs, global: &Global) -> anyhow::Result<Report> {
+    global.without_seed("a proof")?;
+    let proofs = prove::run(args.unit, &Bars::new(global.quiet))?;
     let mut report = Report::new(&proofs, text(&proofs), vec![]);
     report.difference = proofs.proofs.iter().any(|row| row.verdict != "equal");
     Ok(report)

@@ -1,21 +1,21 @@
 //! `dualsplit render`: pictures, heat maps and ray streams.
 
 use super::classes::class_table;
-use crate::cli::{Global, RenderArgs};
+use crate::cli::{Drawn, Global, RenderArgs};
 use crate::console::{Bars, Report};
 use studies::input::display_all;
 use studies::picture::{self, Options, Picture};
 
 pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Samples, global)?,
         structure: args.structure.source(),
         test: args.test,
         mode: args.mode.mode,
         view: args.view.view(),
         size: args.view.size,
         samples: args.spp,
-        seed: global.seed,
+        seed: global.seed(),
         exposure: args.exposure,
         heatmap: args.heatmap,
         heatmap_max: args.heatmap_max,
@@ -23,7 +23,7 @@ pub fn run(args: &RenderArgs, global: &Global) -> anyhow::Result<Report> {
         rays: args.rays.clone(),
         force: global.force,
     };
-    let picture = picture::run(&options, &Bars::default())?;
+    let picture = picture::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&picture, text(&picture), display_all([&options.out].into_iter().chain(&options.rays))))
 }
 

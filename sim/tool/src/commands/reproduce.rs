@@ -25,14 +25,15 @@ pub fn run(
         preset: args.preset.clone(),
         out: args.out.clone(),
         mode: args.mode.mode,
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
-    let of_parts = Global { json: true, force: false, ..*global };
+    let of_parts = Global { json: true, force: false, ..global.clone() };
     let command = |words: &[OsString]| {
         let cli = Cli::try_parse_from(words)?;
         let Some(command) = &cli.command else { bail!("no command") };
-        let report = dispatch(command, &of_parts)?;
+        let of_part = Global { seed: cli.global.seed, words: words[1..].to_vec(), ..of_parts.clone() };
+        let report = dispatch(command, &of_part)?;
         Ok(Finding {
             report: serde_json::from_str(
                 &report.render(true, &console::command(words[1..].iter().cloned())),
@@ -40,7 +41,7 @@ pub fn run(
             difference: report.difference,
         })
     };
-    let done = reproduce::run(&options, &command, &Bars::default())?;
+    let done = reproduce::run(&options, &command, &Bars::new(global.quiet))?;
     let mut text = text(&done.document);
     for command in &done.differences {
         text += &format!("\nA check found a difference: {command}\n");
@@ -48,7 +49,7 @@ pub fn run(
     let (files, seconds) = (done.artifacts.len(), done.seconds);
     text += &format!("\n{files} files in {}, {seconds:.1} s\n", args.out.display());
     let facts = Facts { mode: done.document.mode, seconds };
-    let mut report = Report::new(&facts, text, done.artifacts);
+    let mut report = Report::new(&facts, text, done.artifacts).in_folder(args.out.clone());
     report.difference = !done.differences.is_empty();
     Ok(report)
 }

@@ -39,23 +39,24 @@ pub fn run(args: &ScenesArgs, global: &Global) -> anyhow::Result<Report> {
             args.detail.detail.is_none(),
             "--detail scales the scene that --export writes; name a scene and a file"
         );
+        global.without_seed("the list of scenes")?;
         let rows = document.scenes.iter().map(|entry| {
             [entry.name, &entry.triangles.to_string(), entry.stands_for, entry.description].map(str::to_owned)
         });
         let text = table(["name", "triangles", "stands for", "what it is"], rows);
         return Ok(Report::new(&document, text, vec![]));
     };
-    check_outputs(&[("--export", Some(path))], &[], global.force)?;
+    check_outputs(&[("--export", Some(path))], global.force)?;
     scenes::formats::written_format(path).context("--export")?;
-    let bars = Bars::default();
+    let bars = Bars::new(global.quiet);
     let part = Part::endless(&bars, &format!("making {name}"));
     let detail = args.detail.value();
-    let scene = procedural::build(name, detail, global.seed)?;
+    let scene = procedural::build(name, detail, global.seed())?;
     scenes::formats::save(path, name, &scene.mesh, global.force)?;
     drop(part);
     let triangles = scene.mesh.triangles.len();
     document.scenes.retain(|entry| entry.name == name);
-    document.exported = Some(Exported { name: name.clone(), triangles, detail, seed: global.seed });
+    document.exported = Some(Exported { name: name.clone(), triangles, detail, seed: global.seed() });
     Ok(Report::new(&document, format!("{}: {triangles} triangles", path.display()), vec![display(path)]))
 }
 

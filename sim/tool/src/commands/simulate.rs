@@ -1,7 +1,7 @@
 //! `dualsplit simulate`: simulations of frames on the many-core machine.
 
 use super::validate;
-use crate::cli::{Global, SimulateArgs};
+use crate::cli::{Drawn, Global, SimulateArgs};
 use crate::console::{Bars, Report, fixed, number, table};
 use machine::description::MachineDescription;
 use serde::Serialize;
@@ -17,8 +17,11 @@ struct Dumped {
 }
 
 pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
+    if args.scene.is_none() {
+        global.without_seed("the command without a scene")?;
+    }
     if let Some(folder) = &args.validate {
-        return validate::run(folder, &args.row);
+        return validate::run(folder, &args.row, global);
     }
     if let Some(folder) = &args.dump_kernels {
         let files = display_all(&kernel::dump(folder, global.force)?);
@@ -26,7 +29,7 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
     }
     let machine = MachineDescription::load(&args.machine.machine, &args.machine.settings)?;
     let scene = match &args.scene {
-        Some(scene) => args.load.source(scene, global)?,
+        Some(scene) => args.load.source(scene, Drawn::Samples, global)?,
         _ => {
             let text = MachineDescription::explained(&args.machine.machine, &args.machine.settings)?;
             return Ok(Report::new(&machine, text, vec![]));
@@ -49,7 +52,7 @@ pub fn run(args: &SimulateArgs, global: &Global) -> anyhow::Result<Report> {
         csv: args.csv.clone(),
         force: global.force,
     };
-    let simulation = simulate::run(&options, &Bars::default())?;
+    let simulation = simulate::run(&options, &Bars::new(global.quiet))?;
     let mut report = Report::new(&simulation, text(&simulation), display_all(args.csv.as_deref()));
     report.difference = simulation.fidelity.rtl_differences > 0;
     Ok(report)

@@ -12,11 +12,12 @@ pub fn run(args: &StressArgs, global: &Global) -> anyhow::Result<Report> {
         methods: args.method.clone(),
         pictures: args.pictures,
         out: args.out.clone(),
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
-    let stress = study::run(&options, &Bars::default())?;
-    let mut report = Report::new(&stress, text(&stress), stress.artifacts.clone());
+    let stress = study::run(&options, &Bars::new(global.quiet))?;
+    let mut report =
+        Report::new(&stress, text(&stress), stress.artifacts.clone()).in_folder(args.out.clone());
     report.difference = stress.broken;
     Ok(report)
 }

@@ -15,18 +15,18 @@ pub fn run(args: &StudyArgs, global: &Global) -> anyhow::Result<Report> {
         settings: args.machine.settings.clone(),
         pipeline_cost: args.cost.pipeline_cost.method(),
         out: args.out.clone(),
-        seed: global.seed,
+        seed: global.seed(),
         force: global.force,
     };
     if args.sensitivity {
         let size = Sample { machines: args.machines as usize, confirmed: args.confirm as usize };
-        let found = sensitivity::run(&options, size, &Bars::default())?;
+        let found = sensitivity::run(&options, size, &Bars::new(global.quiet))?;
         let text = regions(&found);
         let artifacts = found.artifacts.clone();
-        return Ok(Report::new(&found, text, artifacts));
+        return Ok(Report::new(&found, text, artifacts).in_folder(args.out.join("sensitivity")));
     }
-    let study = study::run(&options, &Bars::default())?;
-    Ok(Report::new(&study, tables(&study), study.artifacts.clone()))
+    let study = study::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&study, tables(&study), study.artifacts.clone()).in_folder(args.out.clone()))
 }
 
 /// The claims with the machines for which they hold.

@@ -1,21 +1,21 @@
 //! `dualsplit trace`: the closest hits of a saved stream of rays.
 
 use super::classes::class_table;
-use crate::cli::{Global, TraceArgs};
+use crate::cli::{Drawn, Global, TraceArgs};
 use crate::console::{Bars, Report};
 use studies::input::display_all;
 use studies::trace::{self, Options, Traced};
 
 pub fn run(args: &TraceArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Scenes, global)?,
         structure: args.structure.source(),
         rays: args.rays.clone(),
         mode: args.mode.mode,
         out: args.out.clone(),
         force: global.force,
     };
-    let traced = trace::run(&options, &Bars::default())?;
+    let traced = trace::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&traced, text(&traced), display_all(options.out.as_deref())))
 }
 

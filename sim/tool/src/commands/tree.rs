@@ -1,6 +1,6 @@
 //! `dualsplit tree`: sizes, costs and histograms of all structures, one of which can be saved.
 
-use crate::cli::{Global, TreeArgs};
+use crate::cli::{Drawn, Global, TreeArgs};
 use crate::console::{Bars, Report, fixed, table};
 use std::fmt::Write;
 use studies::input::display_all;
@@ -8,13 +8,13 @@ use studies::trees::{self, Options, StructureRow, Trees};
 
 pub fn run(args: &TreeArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Scenes, global)?,
         quality: args.quality.quality,
         scratch: args.scratch,
         save: args.save.clone().map(|file| (args.structure, file)),
         force: global.force,
     };
-    let trees = trees::run(&options, &Bars::default())?;
+    let trees = trees::run(&options, &Bars::new(global.quiet))?;
     Ok(Report::new(&trees, text(&trees), display_all(args.save.as_deref())))
 }
 

@@ -1,12 +1,13 @@
 //! `dualsplit simulate --validate`: the comparison of the many-core machine with the reference runs.
 
+use crate::cli::Global;
 use crate::console::{Bars, Report, fixed, table};
 use machine::reference::Compared;
 use std::path::Path;
 use studies::simulate;
 
-pub fn run(folder: &Path, rows: &[String]) -> anyhow::Result<Report> {
-    let validation = simulate::validate(folder, rows, &Bars::default())?;
+pub fn run(folder: &Path, rows: &[String], global: &Global) -> anyhow::Result<Report> {
+    let validation = simulate::validate(folder, rows, &Bars::new(global.quiet))?;
     let header = [
         "set",
         "settings",

@@ -7,7 +7,6 @@ pub mod heatmap;
 pub mod png;
 
 use render::{MAX_PIXELS, Rendering};
-use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
@@ -92,7 +91,7 @@ impl<T: Copy> Picture<T> {
 pub fn read(path: &Path) -> Result<(Format, Picture<f32>), PictureError> {
     let format = Format::of(path)?;
     let error = |kind| PictureError { path: path.to_owned(), kind };
-    let source = BufReader::new(File::open(path).map_err(|e| error(PictureErrorKind::Read(e)))?);
+    let source = BufReader::new(base::input::open(path).map_err(|e| error(PictureErrorKind::Read(e)))?);
     let picture = match format {
         Format::Png => png::decode(source),
         Format::Exr => exr::decode(source),

@@ -3,8 +3,9 @@
 //! Everything else keeps its bytes: the order of keys, the digits of numbers and the layout count.
 
 /// The keys of JSON documents and the columns of CSV files that hold the host's times, its threads, or the program's sources.
-pub const HOST_NAMES: [&str; 8] = [
+pub const HOST_NAMES: [&str; 9] = [
     "build_ms",
+    "commit",
     "convert_ms",
     "fingerprint",
     "rays_per_second",

@@ -1,7 +1,6 @@
 //! The buffers of a glTF document: in the binary file, in the document, or in files beside it.
 
 use std::collections::HashMap;
-use std::fs::File;
 use std::io::Read;
 use std::path::{Component, Path};
 use std::rc::Rc;
@@ -96,7 +95,7 @@ impl<'a> Buffers<'a> {
             )));
         }
         let path = folder.join(&*name);
-        let file = File::open(path).map_err(|e| FormatErrorKind::Open(named(e)))?;
+        let file = base::input::open(&path).map_err(|e| FormatErrorKind::Open(named(e)))?;
         let metadata = file.metadata().map_err(|e| FormatErrorKind::Read(named(e)))?;
         if !metadata.is_file() || metadata.len() < length as u64 {
             let what = format!("`{uri}` has {} bytes instead of {length}", metadata.len());

@@ -7,7 +7,6 @@
 mod clean;
 mod statement;
 
-use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
@@ -25,7 +24,7 @@ use clean::CleanReader;
 /// [`FormatError`] names the file, the line and the remedy.
 pub fn load(path: impl AsRef<Path>) -> Result<Mesh, FormatError> {
     let path = path.as_ref();
-    let file = File::open(path).map_err(|e| FormatErrorKind::Open(e).at(path, Place::File))?;
+    let file = source::open(path).map_err(|e| FormatErrorKind::Open(e).at(path, Place::File))?;
     read(BufReader::new(file), path)
 }
 

@@ -1,13 +1,13 @@
 //! `dualsplit chart fidelity`: charts of the host's time against the error of the simulation.
 
-use crate::cli::{FidelityArgs, Global};
+use crate::cli::{Drawn, FidelityArgs, Global};
 use crate::console::{Bars, Report, fixed, table};
 use studies::charts::fidelity_study::{self, FidelityChart, Options};
 use studies::fidelity::Level;
 
 pub fn run(args: &FidelityArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Samples, global)?,
         structure: args.structure,
         test: args.test,
         quality: args.quality.quality,
@@ -19,8 +19,8 @@ pub fn run(args: &FidelityArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let chart = fidelity_study::run(&options, &Bars::default())?;
-    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()))
+    let chart = fidelity_study::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()).in_folder(chart.folder.clone()))
 }
 
 fn text(d: &FidelityChart) -> String {

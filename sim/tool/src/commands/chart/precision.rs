@@ -1,6 +1,6 @@
 //! `dualsplit chart precision`: visits, errors, area, energy and time in every format.
 
-use crate::cli::{DEFAULT_MACHINE, Global, PrecisionArgs};
+use crate::cli::{DEFAULT_MACHINE, Drawn, Global, PrecisionArgs};
 use crate::console::{Bars, Report, fixed, table};
 use anyhow::ensure;
 use std::path::Path;
@@ -15,7 +15,7 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
     );
     let machine = || (args.machine.machine.clone(), args.machine.settings.clone());
     let options = Options {
-        scene: args.scene.source(global)?,
+        scene: args.scene.source(Drawn::Samples, global)?,
         structure: args.structure,
         test: args.test,
         quality: args.quality.quality,
@@ -25,8 +25,8 @@ pub fn run(args: &PrecisionArgs, global: &Global) -> anyhow::Result<Report> {
         out: args.out.clone(),
         force: global.force,
     };
-    let chart = precision_study::run(&options, &Bars::default())?;
-    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()))
+    let chart = precision_study::run(&options, &Bars::new(global.quiet))?;
+    Ok(Report::new(&chart, text(&chart), chart.artifacts.clone()).in_folder(chart.folder.clone()))
 }
 
 fn text(d: &PrecisionChart) -> String {
