@@ -95,8 +95,7 @@ pub fn charts(plan: &Plan, records: &[Record]) -> Vec<(String, String)> {
                 unit: unit.to_owned(),
                 categories: values.clone(),
                 series: series.collect(),
-                stacked: false,
-                max: None,
+                ..Bars::default()
             };
             charts.push((format!("{file}-{}.svg", key.replace('/', "-")), chart.svg()));
         }
