@@ -65,7 +65,7 @@ fn bad_libraries_end_in_an_error_that_names_them() {
         ("none.lib", None, "none.lib"),
         ("text.lib", Some("hello"), "line 1: neither `:` nor `(` follows a name"),
         ("open.lib", Some("library (x) {\n cell (y) {\n"), "closing brace"),
-        ("unit.lib", Some("library (x) { nom_voltage : 1.0; }"), "no time_unit"),
+        ("unit.lib", Some("library (x) { nom_voltage : 1.0; }"), "time_unit is missing"),
         (
             "empty.lib",
             Some("library (x) { nom_voltage : 1.0; time_unit : \"1ns\"; capacitive_load_unit (1, pf); }"),
@@ -146,7 +146,7 @@ fn export() {
     let work = Workplace::new();
     let document = work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
     let files = document["artifacts"].as_array().unwrap();
-    assert_eq!(files.len(), 12, "{files:?}");
+    assert_eq!(files.len(), 13, "{files:?}");
     let verilog = String::from_utf8(work.read("rtl/fp_mul_binary16.v")).unwrap();
     assert!(verilog.contains("module fp_mul_binary16"), "{verilog}");
     assert_eq!(
