@@ -162,7 +162,7 @@ fn a_tree_that_the_memory_cannot_hold_names_the_key() {
     let structure = prepared.structure(MachineStructure::Dst);
     let options = RenderOptions::new(Test::Raycast, 24, 24);
     let error = frame(&set_up, &prepared.scene, &structure, &options, |_| {}).err().unwrap().to_string();
-    assert!(error.contains("dram.rows") && error.contains("65536 bytes"), "{error}");
+    assert!(error.contains("dram.rows") && error.contains("memory has 64KiB"), "{error}");
 }
 
 /// Compares the machine with the public simulator's runs, if `DUALSPLIT_DATA` names a folder with them.

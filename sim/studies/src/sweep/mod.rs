@@ -1,8 +1,8 @@
 //! Sweeps: the product of lists of scenes, structures, machines, seeds and values of the machine's keys.
 //!
-//! Each run has a key, a hash of everything that its result depends on ([`plan`]), and a file of that name in the folder of the
-//! sweep ([`record`]). So runs are independent of each other: shards of a sweep run anywhere and at any time, an interrupted sweep
-//! continues where it stopped, and folders are merged by copying. [`table`] makes the tables from the files, and [`workflow`]
+//! Each run has a key, a hash of everything that its result depends on (`plan`), and a file of that name in the folder of the
+//! sweep (`record`). So runs are independent of each other: shards of a sweep run anywhere and at any time, an interrupted sweep
+//! continues where it stopped, and folders are merged by copying. `table` makes the tables from the files, and `workflow`
 //! leaves the spreading to Snakemake.
 
 pub mod file;

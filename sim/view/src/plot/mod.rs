@@ -1,7 +1,7 @@
 //! Charts as SVG, for files and for the report's page.
 //!
 //! [`Bars`] compares quantities, with the number beside each bar. [`Chart`] draws points and lines over two axes, with error bars
-//! and labels. A structure has one colour in all charts ([`palette`]), and series differ in their markers too. [`Bars::max`] gives
+//! and labels. A structure has one colour in all charts (`palette`), and series differ in their markers too. [`Bars::max`] gives
 //! several charts the same scale. The program that shows a file draws its text, so the bytes do not depend on the machine's fonts.
 
 mod bars;
