@@ -5,7 +5,7 @@ mod execute;
 pub mod filter;
 pub mod hashes;
 
-use crate::workspace::{Scratch, must_succeed, root, target};
+use crate::workspace::{must_succeed, root, scratch, target};
 use anyhow::{Context, ensure};
 use commands::{Command, commands};
 use hashes::Hashes;
@@ -51,7 +51,7 @@ pub fn run(options: &Options) -> anyhow::Result<bool> {
     let expected = if file.exists() { Hashes::read(&file)? } else { Hashes::default() };
 
     let start = Instant::now();
-    let mut scratch = Scratch::new("behaviour/run")?;
+    let mut scratch = scratch("behaviour-run")?;
     let (mut found, mut failures) = (Hashes::default(), 0);
     for command in &chosen {
         let outcome = execute::run(&tool, command, options.threads, scratch.path())?;
@@ -77,7 +77,7 @@ pub fn run(options: &Options) -> anyhow::Result<bool> {
     }
     let good = differences.is_empty() && failures == 0;
     if !good {
-        scratch.keep();
+        scratch.disable_cleanup(true);
         println!(
             "{} differences, {failures} failures; the files are in {}",
             differences.len(),

@@ -9,7 +9,7 @@ mod select;
 mod workplace;
 
 use crate::behaviour::hashes::digest;
-use crate::workspace::{Scratch, must_succeed, root, target};
+use crate::workspace::{must_succeed, root, scratch, target};
 use anyhow::{Context, ensure};
 use lexopt::prelude::*;
 use markdown::{Mark, Part, Small};
@@ -85,7 +85,7 @@ pub fn run(options: &Options) -> anyhow::Result<bool> {
         }
     }
     let start = Instant::now();
-    let scratch = Scratch::new("docs/run")?;
+    let scratch = scratch("docs-run")?;
     let programs = programs(options.tool.as_deref(), scratch.path())?;
     let queue = Mutex::new(files.iter());
     let done = Mutex::new(vec![]);
@@ -280,7 +280,7 @@ mod tests {
 
     /// A program that prints a table, and fails if it is called `fail`.
     fn check(text: &str) -> (String, Vec<Fault>) {
-        let scratch = Scratch::new("docs/test").unwrap();
+        let scratch = scratch("docs-test").unwrap();
         let programs = scratch.path().join("bin");
         fs::create_dir_all(&programs).unwrap();
         let program = programs.join("dualsplit");

@@ -2,7 +2,7 @@
 
 use crate::quick;
 use crate::usage::{Usage, measure};
-use crate::workspace::{LONG_TESTS, NO_TOOL_MISSING, Scratch, must_succeed, root};
+use crate::workspace::{LONG_TESTS, NO_TOOL_MISSING, must_succeed, root, scratch};
 use anyhow::{Context, bail, ensure};
 use lexopt::prelude::*;
 use std::fs::File;
@@ -62,7 +62,7 @@ pub fn run(only: &[String]) -> anyhow::Result<bool> {
             "{path}: no such file; correct the paths in tests/xtask/src/times.rs"
         );
     }
-    let mut builds = Builds { folder: Scratch::new("times/build")?, built: None };
+    let mut builds = Builds { folder: scratch("times-build")?, built: None };
     let mut rows = vec![];
     for step in STEPS.iter().filter(|step| only.is_empty() || only.iter().any(|only| only == *step)) {
         eprintln!("times: {step}");
@@ -97,7 +97,7 @@ fn measured(step: &str, builds: &mut Builds) -> anyhow::Result<Vec<Row>> {
 
 /// Release builds in a folder of their own.
 struct Builds {
-    folder: Scratch,
+    folder: tempfile::TempDir,
     /// What the first one took.
     built: Option<Usage>,
 }
@@ -137,7 +137,7 @@ impl Builds {
 
 /// The tests that run without the long ones, from an empty folder.
 fn test() -> anyhow::Result<Usage> {
-    let folder = Scratch::new("times/test")?;
+    let folder = scratch("times-test")?;
     let test = || {
         must_succeed("test --workspace", |command| {
             command.env("CARGO_TARGET_DIR", folder.path()).env_remove(LONG_TESTS).env_remove(NO_TOOL_MISSING);
@@ -156,7 +156,7 @@ fn quick_again() -> anyhow::Result<Usage> {
 
 /// The time until `tool` without arguments prints its first line, and the time until it ends.
 fn start_and_end(tool: &Path) -> anyhow::Result<[Row; 2]> {
-    let folder = Scratch::new("times/run")?;
+    let folder = scratch("times-run")?;
     let run = || {
         let start = Instant::now();
         let mut child = Command::new(tool)

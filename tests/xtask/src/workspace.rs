@@ -1,10 +1,10 @@
 //! Where the workspace is, its Cargo, and folders that are removed again.
 
 use anyhow::{Context, ensure};
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use tempfile::TempDir;
 
 /// Set where the long tests are wanted.
 pub const LONG_TESTS: &str = "DUALSPLIT_LONG";
@@ -49,39 +49,11 @@ pub fn must_succeed(line: &str, change: impl FnOnce(&mut Command)) -> anyhow::Re
     Ok(())
 }
 
-/// A folder below the target folder that is removed when this is dropped.
-pub struct Scratch {
-    path: PathBuf,
-    keep: bool,
-}
-
-impl Scratch {
-    /// An empty folder `name`, a relative path with `/`; the process id is appended.
-    pub fn new(name: &str) -> anyhow::Result<Self> {
-        let path = target()?.join(format!("{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).with_context(|| format!("{}: cannot make the folder", path.display()))?;
-        Ok(Self { path, keep: false })
-    }
-
-    /// Where it is.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
-    /// Leaves the folder where it is.
-    pub fn keep(&mut self) {
-        self.keep = true;
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        if !self.keep
-            && let Err(error) = fs::remove_dir_all(&self.path)
-        {
-            eprintln!("{}: cannot remove the folder ({error})", self.path.display());
-        }
-        // Goes only if nothing is in it.
-        let _ = self.path.parent().map(fs::remove_dir);
-    }
+/// An empty folder below the target folder, of a name that begins with `name`. It goes when this is dropped.
+pub fn scratch(name: &str) -> anyhow::Result<TempDir> {
+    let target = target()?;
+    tempfile::Builder::new()
+        .prefix(&format!("{name}-"))
+        .tempdir_in(&target)
+        .with_context(|| format!("{}: cannot make a folder in it", target.display()))
 }
