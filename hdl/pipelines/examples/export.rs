@@ -18,14 +18,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let design = top.design(format)?;
     let stimulus = testbench(top, format, &flatten(&design)?, vectors, 0);
-    let options = PackageOptions {
-        description: "An example export.",
-        notes: &top.notes(),
-        form: Form { reset: true, sources: &sources() },
-        is_pipeline: top.is_pipeline(),
-        claims: &top.claims(),
-        ..PackageOptions::default()
-    };
+    let sources = sources();
+    let options = top.package_options(Form { reset: true, sources: &sources });
+    let options = PackageOptions { description: "An example export.", ..options };
     let mut files = package(&design, &options, &stimulus)?;
     files.extend(shared_files(&design.top().name, options.period_ns));
     for path in write_files(Path::new(&folder), &files)? {

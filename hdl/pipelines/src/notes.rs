@@ -1,23 +1,28 @@
 //! What the exported package of a top says about its words, and what its checker asserts.
 
+use golden::dst::Code;
 use golden::dst::header::{AXIS, CARVE, Field, LEAF, OFFSET, SINGLE, SIZE, dual_axes};
-use netlist::verilog::Claim;
+use netlist::verilog::{Claim, Form, PackageOptions, ResultCode};
 
 use crate::catalogue::Top;
 
 impl Top {
-    /// What holds of every valid result, for the checker beside the Verilog.
+    /// A package of this top with everything that is known of its words: no description, a clock of 1 ns.
     #[must_use]
-    pub fn claims(self) -> Vec<Claim> {
-        match self {
-            Self::DualSplit | Self::DualSplitLean => dual_split_claims(),
-            _ => Vec::new(),
+    pub fn package_options(self, form: Form<'_>) -> PackageOptions<'_> {
+        let is_dual_split = matches!(self, Self::DualSplit | Self::DualSplitLean);
+        PackageOptions {
+            notes: self.notes(),
+            form,
+            is_pipeline: self.is_pipeline(),
+            claims: if is_dual_split { dual_split_claims() } else { vec![] },
+            codes: if is_dual_split { dual_split_codes() } else { vec![] },
+            ..PackageOptions::default()
         }
     }
 
     /// Sections of the README: the encodings of the words that the top reads.
-    #[must_use]
-    pub fn notes(self) -> String {
+    fn notes(self) -> String {
         match self {
             Self::FpAdd | Self::FpMul => {
                 "## Rounding\n\n`rounding_i` is 0 to nearest, ties to even; 1 toward zero; 2 down; 3 up; 4 to nearest, ties away from \
@@ -54,6 +59,17 @@ fn dual_split_claims() -> Vec<Claim> {
             meaning: "So has the far child.",
             holds: "(code_o != 2'd2) | ordered(far_t_min_o, far_t_max_o)".into(),
         },
+    ]
+}
+
+/// The return values of a step.
+fn dual_split_codes() -> Vec<ResultCode> {
+    let code = |name, code: Code, meaning| ResultCode { name, value: code as u8, meaning };
+    vec![
+        code("Miss", Code::Miss, "no child"),
+        code("One", Code::One, "one child, in the near slot"),
+        code("Two", Code::Two, "two children"),
+        code("Leaf", Code::Leaf, "a leaf, in the near slot"),
     ]
 }
 

@@ -35,7 +35,7 @@ pub use scaling::{Scaling, TARGET_NODE_NM, TARGET_VOLTAGE_V};
 pub use workload::{NodeType, Workload};
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use costs::{Pipeline, PipelineCost, Unit};
 use gates::liberty::{Library, embedded};
@@ -125,15 +125,22 @@ pub fn pipeline(top: Top, method: Method) -> Result<Pipeline, EstimateError> {
     Ok(Pipeline { name: top.name().to_owned(), units, latency_cycles, cost: pipeline_cost(top, method)? })
 }
 
-/// A function that returns the [`pipeline`] whose module has a given name, as a machine asks for it.
+/// A function that returns the [`pipeline`] whose module has a given name, as a machine asks for it. The function elaborates each
+/// pipeline once, which takes a while, however many machines ask.
 ///
 /// # Panics
 /// The function panics if no pipeline has the name, or its hardware does not elaborate, which the hardware's own tests rule
 /// out.
-pub fn by_name(method: Method<'_>) -> impl Fn(&str) -> Pipeline {
-    move |name| {
+pub fn by_name(method: Method<'_>) -> impl Fn(&str) -> Pipeline + Sync {
+    let elaborated = Mutex::new(BTreeMap::new());
+    let elaborate = move |name: &str| {
         let top = name.parse().unwrap_or_else(|error| panic!("{error}"));
         pipeline(top, method).unwrap_or_else(|error| panic!("{error}"))
+    };
+    move |name| {
+        // An entry is whole or absent, also after a panic.
+        let mut known = elaborated.lock().unwrap_or_else(PoisonError::into_inner);
+        known.entry(name.to_owned()).or_insert_with(|| elaborate(name)).clone()
     }
 }
 

@@ -62,10 +62,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Vec<PathBu
         let options = PackageOptions {
             description: description(*top),
             period_ns: args.period_ns,
-            form,
-            is_pipeline: top.is_pipeline(),
-            claims: &top.claims(),
-            notes: &top.notes(),
+            ..top.package_options(form)
         };
         for file in package(design, &options, &vectors)? {
             artifacts.write(&file.name, file.contents.as_bytes())?;

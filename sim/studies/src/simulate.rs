@@ -14,7 +14,7 @@ use machine::core::Counts;
 use machine::description::MachineDescription;
 use machine::frame::{FrameError, FrameMachine, MachineStructure, Totals, node_bytes};
 use machine::reference::{ReferenceRun, ReferenceRuns, TABLE, ValidatedRun};
-use machine::results::{Quantity, Results, Tally};
+use machine::results::{Quantity, Results};
 use rayon::prelude::*;
 use render::{RenderOptions, Test};
 use serde::Serialize;
@@ -248,7 +248,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Simulation
     // A machine whose parts have no cost shows before its frame is simulated.
     let program = set_up.program().map_err(|error| explained(FrameError::from(error).into()))?;
     let none = Counts { runs: vec![0; program.code.runs.len()], ..Counts::default() };
-    Results::new(&set_up.description, set_up.pipeline.as_ref(), &Tally::new(&program, &none))?;
+    set_up.results(&program, &none)?;
     let scene = args.scene.load(progress)?;
     let built = Built::new(&scene, args.quality, progress)?;
     let (structure, _) = built.convert(args.structure.kind())?;

@@ -7,7 +7,7 @@ use golden::structure::{Structure, pack_triangles};
 use machine::description::MachineDescription;
 use machine::frame::{FrameMachine, MachineStructure, frame};
 use machine::reference::ReferenceRuns;
-use machine::results::{Results, Tally};
+use machine::results::Results;
 use render::{RenderOptions, Test, render};
 use scenes::Scene;
 
@@ -42,9 +42,8 @@ impl Prepared {
         let set_up = FrameMachine::new(machine, structure, estimate::by_name(Method::Published)).unwrap();
         let golden = self.structure(structure);
         let frame = frame(&set_up, &self.scene, &golden, options, |_| {}).unwrap();
-        let tally = Tally::new(&frame.program, &frame.counts);
-        let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &tally);
-        (frame, results.unwrap())
+        let results = set_up.results(&frame.program, &frame.counts).unwrap();
+        (frame, results)
     }
 }
 

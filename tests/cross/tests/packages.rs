@@ -17,14 +17,9 @@ fn export(folder: &Path, top: Top, vectors: u32) {
     let format = StandardFormat::Binary32;
     let design = top.design(format).unwrap();
     let cycles = stimulus(top, format, &flatten(&design).unwrap(), vectors, 0);
-    let options = PackageOptions {
-        description: "A test.",
-        notes: &top.notes(),
-        form: Form { reset: true, sources: &sources() },
-        is_pipeline: top.is_pipeline(),
-        claims: &top.claims(),
-        ..PackageOptions::default()
-    };
+    let sources = sources();
+    let options = top.package_options(Form { reset: true, sources: &sources });
+    let options = PackageOptions { description: "A test.", ..options };
     let mut files = package(&design, &options, &cycles).unwrap();
     files.extend(shared_files(top.name(), 1.0));
     write_files(folder, &files).unwrap();

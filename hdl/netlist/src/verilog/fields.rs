@@ -4,6 +4,7 @@
 
 use std::fmt::Write;
 
+use super::ResultCode;
 use super::meaning::meaning;
 use super::stream::Payload;
 use crate::Design;
@@ -21,13 +22,14 @@ pub(super) struct Field {
 }
 
 /// The fields of both directions, without the tag.
-pub(super) struct Words {
+pub(super) struct Words<'a> {
     /// Bits of a field's word: 8, 16 or 32, as many as the widest field needs.
     pub word_bits: u32,
     /// Fields of the operands, the lowest first.
     pub operands: Vec<Field>,
     /// Fields of the results, the lowest first.
     pub results: Vec<Field>,
+    codes: &'a [ResultCode],
 }
 
 impl Field {
@@ -51,8 +53,8 @@ impl Field {
     }
 }
 
-impl Words {
-    pub fn of(payload: &Payload) -> Self {
+impl<'a> Words<'a> {
+    pub fn of(payload: &Payload, codes: &'a [ResultCode]) -> Self {
         let widest =
             payload.operands.iter().chain(&payload.results).map(|(_, width)| *width).max().unwrap_or(1);
         let word_bits = widest.next_power_of_two().max(8);
@@ -68,7 +70,7 @@ impl Words {
                 })
                 .collect()
         };
-        Self { word_bits, operands: fields(&payload.operands), results: fields(&payload.results) }
+        Self { word_bits, operands: fields(&payload.operands), results: fields(&payload.results), codes }
     }
 
     /// The structures with their fields: each group of operands in order, then the results.
@@ -112,14 +114,12 @@ impl Words {
             let _ = writeln!(text, "    {name}_t {member};");
         }
         text.push_str("  } operands_t;\n");
-        if self.has_code() {
+        if !self.codes.is_empty() {
             text.push_str("\n  // verilator lint_off UNUSEDPARAM");
-        }
-        for (name, value, meaning) in CODES.iter().filter(|_| self.has_code()) {
-            let _ =
-                write!(text, "\n  localparam word_t Code{name} = {}'d{value};  // {meaning}", self.word_bits);
-        }
-        if self.has_code() {
+            for ResultCode { name, value, meaning } in self.codes {
+                let bits = self.word_bits;
+                let _ = write!(text, "\n  localparam word_t Code{name} = {bits}'d{value};  // {meaning}");
+            }
             text.push_str("\n  // verilator lint_on UNUSEDPARAM");
         }
         text.push_str("\nendpackage\n");
@@ -156,7 +156,7 @@ impl Words {
             let _ = writeln!(text, "    struct {top}_{name} {member};");
         }
         text.push_str("};\n");
-        for (name, value, meaning) in CODES.iter().filter(|_| self.has_code()) {
+        for ResultCode { name, value, meaning } in self.codes {
             let _ = write!(
                 text,
                 "\n#define {}_CODE_{} {value} /* {meaning} */",
@@ -167,22 +167,10 @@ impl Words {
         text.push_str("\n#endif\n");
         text
     }
-
-    fn has_code(&self) -> bool {
-        self.results.iter().any(|field| field.port == "code_o")
-    }
 }
 
 const BOX: &str = "box";
 const RESULT: &str = "result";
-
-/// What the code of a dual-split step says.
-const CODES: [(&str, u32, &str); 4] = [
-    ("Miss", 0, "no child"),
-    ("One", 1, "one child, in the near slot"),
-    ("Two", 2, "two children"),
-    ("Leaf", 3, "a leaf, in the near slot"),
-];
 
 fn group(port: &str) -> &'static str {
     let starts = |names: &[&str]| names.iter().any(|name| port.starts_with(name));

@@ -128,12 +128,12 @@ pub struct GeneratedFile {
 }
 
 /// What [`package`] writes beside the Verilog.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct PackageOptions<'a> {
     /// What the top does, in one line.
     pub description: &'a str,
     /// More about it, in Markdown: sections of the README.
-    pub notes: &'a str,
+    pub notes: String,
     /// Clock period of the constraint in nanoseconds.
     pub period_ns: f64,
     /// What the Verilog has beyond the logic.
@@ -141,14 +141,34 @@ pub struct PackageOptions<'a> {
     /// Whether it gets a stream of packed words.
     pub is_pipeline: bool,
     /// What holds of every valid result.
-    pub claims: &'a [Claim],
+    pub claims: Vec<Claim>,
+    /// What the values of the port `code_o` say, for the packed words; none where there is no such port.
+    pub codes: Vec<ResultCode>,
+}
+
+/// A value of the port `code_o`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ResultCode {
+    /// Its name.
+    pub name: &'static str,
+    /// The value.
+    pub value: u8,
+    /// What it says.
+    pub meaning: &'static str,
 }
 
 impl Default for PackageOptions<'_> {
     /// No description, a clock of 1 ns, the default form.
     fn default() -> Self {
-        let form = Form::default();
-        Self { description: "", notes: "", period_ns: 1.0, form, is_pipeline: false, claims: &[] }
+        Self {
+            description: "",
+            notes: String::new(),
+            period_ns: 1.0,
+            form: Form::default(),
+            is_pipeline: false,
+            claims: vec![],
+            codes: vec![],
+        }
     }
 }
 
@@ -168,7 +188,7 @@ pub fn package(
     let start = testbench::Start::of(design, &options.form)?;
     let file = |suffix: &str, contents| GeneratedFile { name: format!("{name}{suffix}"), contents };
     let checker = match inventory.latency_cycles.filter(|_| options.form.resets(design)) {
-        Some(latency) => checker::checker(design, latency, options.claims),
+        Some(latency) => checker::checker(design, latency, &options.claims),
         None => None,
     };
     let mut files = vec![
@@ -185,7 +205,7 @@ pub fn package(
     files.extend(checker.map(|checker| file(CHECKER, checker.text)));
     let payload = stream::Payload::of(design).filter(|_| options.form.resets(design) && options.is_pipeline);
     if let Some(payload) = payload {
-        let words = fields::Words::of(&payload);
+        let words = fields::Words::of(&payload, &options.codes);
         files.extend([
             file(STREAM, stream::stream(design, &payload)),
             file(AXIS, stream::axis(design, &payload, &words)),

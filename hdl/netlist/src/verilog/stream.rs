@@ -93,7 +93,7 @@ pub(super) fn stream(design: &Design, payload: &Payload) -> String {
 }
 
 /// The module `<top>_axis`.
-pub(super) fn axis(design: &Design, payload: &Payload, words: &Words) -> String {
+pub(super) fn axis(design: &Design, payload: &Payload, words: &Words<'_>) -> String {
     let top = &design.top().name;
     let tag = |wires: &[Wire], name: &str| {
         wires.iter().find(|(found, _)| found == name).map_or(1, |(_, width)| *width)

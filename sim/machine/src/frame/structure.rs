@@ -1,9 +1,11 @@
 //! The eight structures: what each is traced through, its program, its pipeline; and programs in their place.
 
+use crate::core::Counts;
 use crate::description::{DescriptionError, MachineDescription, NodeLayout};
 use crate::kernels;
 use crate::pipelines::take_units;
 use crate::program::{ListingError, Opcode, Program};
+use crate::results::{Results, Tally};
 use costs::Pipeline;
 use golden::structure::StructureKind;
 use std::fmt;
@@ -197,6 +199,14 @@ impl FrameMachine {
     #[must_use]
     pub fn with_kernel(self, kernel: Kernel) -> Self {
         Self { kernel: Some(kernel), ..self }
+    }
+
+    /// The results of a run of `program` that counted `counts`.
+    ///
+    /// # Errors
+    /// If the cost of a cache is not known.
+    pub fn results(&self, program: &Program, counts: &Counts) -> Result<Results, DescriptionError> {
+        Results::new(&self.description, self.pipeline.as_ref(), &Tally::new(program, counts))
     }
 
     /// The program for this machine.

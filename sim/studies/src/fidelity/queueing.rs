@@ -4,7 +4,6 @@ use super::{Estimate, FidelityError, Interval, Level, Subject};
 use machine::frame::FrameMachine;
 use machine::program::Program;
 use machine::queueing;
-use machine::results::{Results, Tally};
 use std::time::Instant;
 
 /// The greatest error that this level was measured to make in frame time and energy, as a fraction (`docs/fidelity.md`). Intervals
@@ -41,8 +40,7 @@ pub fn estimates(
         let seconds = start.elapsed().as_secs_f64() / alike.len() as f64;
         for (number, counts) in alike.into_iter().zip(counts) {
             let (machine, program) = &machines[number];
-            let tally = Tally::new(program, &counts);
-            let results = Results::new(&machine.description, machine.pipeline.as_ref(), &tally)?;
+            let results = machine.results(program, &counts)?;
             let (ms, mj) = (results.frame_ms, results.energy_mj.total);
             let batches = Subject { machine, ..*subject }.batches(1.0).count;
             estimates[number] = Some(Estimate {

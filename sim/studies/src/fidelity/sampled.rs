@@ -11,7 +11,7 @@ use golden::structure::Structure;
 use machine::core::{Counts, Noted, Plan, simulate_plan};
 use machine::frame::{Checker, FrameError, FrameMachine, FrameWork, Totals};
 use machine::program::Program;
-use machine::results::{Instructions, Results, Tally};
+use machine::results::{Instructions, Results};
 use render::RenderOptions;
 use scenes::Scene;
 use std::time::Instant;
@@ -165,8 +165,7 @@ impl<'a> Subject<'a> {
     }
 
     fn results(&self, program: &Program, counts: &Counts) -> Result<Results, FidelityError> {
-        let tally = Tally::new(program, counts);
-        Ok(Results::new(&self.machine.description, self.machine.pipeline.as_ref(), &tally)?)
+        Ok(self.machine.results(program, counts)?)
     }
 
     /// The analytic bound, with an interval by the spread of work between batches.

@@ -16,7 +16,6 @@ use crate::progress::{Part, Progress};
 use anyhow::bail;
 use base::input::read_own;
 use comparison::{Claim, compare};
-use costs::Pipeline;
 use estimate::Method;
 use golden::build::Quality;
 use golden::structure::{Structure, StructureKind};
@@ -29,7 +28,6 @@ use row::Row;
 use scenes::Scene;
 use serde::Serialize;
 use settings::Settings;
-use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -152,19 +150,14 @@ fn scenes_of(args: &Options) -> anyhow::Result<Vec<&str>> {
 
 /// All simulations of all scenes, in the order of their files.
 fn planned(preset: &Preset, args: &Options) -> anyhow::Result<Vec<Planned>> {
-    // All simulations share few pipelines, which take a while to elaborate.
-    let elaborated: RefCell<BTreeMap<String, Pipeline>> = RefCell::default();
-    let elaborate = estimate::by_name(args.pipeline_cost);
-    let pipeline = |name: &str| {
-        elaborated.borrow_mut().entry(name.to_owned()).or_insert_with(|| elaborate(name)).clone()
-    };
+    let pipeline = estimate::by_name(args.pipeline_cost);
     let mut all = vec![];
     for scene in scenes::procedural::CATALOGUE {
         for job in Job::of_scene(scene.name, preset) {
             let machine = job.machine(&args.machine, &args.settings)?;
             // A machine whose parts have no cost shows before anything is simulated or written.
             CacheCosts::new(&machine)?;
-            let machine = FrameMachine::new(&machine, job.structure, pipeline)?;
+            let machine = FrameMachine::new(&machine, job.structure, &pipeline)?;
             let fingerprint = record::fingerprint(&machine, args.quality, args.seed, preset);
             let file = job.file(scene.name, &args.preset);
             all.push(Planned { scene: scene.name.to_owned(), job, machine, file, fingerprint });

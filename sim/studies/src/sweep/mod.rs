@@ -19,6 +19,7 @@ use anyhow::{Context, bail, ensure};
 use file::SweepFile;
 use plan::{Plan, Run};
 use record::Record;
+use render::Test;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -195,16 +196,21 @@ fn workflow(file: &Path, folder: &Path, keys: &[&str], force: bool) -> anyhow::R
     Ok(vec![display(&path)])
 }
 
-/// Pixels a second that are simulated on a thread, for a first estimate: path tracing on a Xeon at 2.5 GHz.
-const PIXELS_PER_SECOND: f64 = 1000.0;
+/// Path-traced pixels a second that are simulated on a thread, for a first estimate. Between 150 and 1,160 were measured on a thread of
+/// a busy Xeon, for dst, bvh2 and bvh8 in the hairball and the atrium at a tenth of their triangles.
+const PIXELS_PER_SECOND: f64 = 400.0;
 
 /// About how many seconds the runs `open` take on this host, at the pace of the records in `folder`.
 fn seconds(plan: &Plan, open: &[&Run], folder: &Path) -> f64 {
+    if open.is_empty() {
+        return 0.0;
+    }
     let pixels =
         |run: &Run| f64::from(run.size[0]) * f64::from(run.size[1]) * (1 + run.test.bounces()) as f64;
     let kept =
         plan.runs.iter().filter_map(|run| Some((pixels(run), Record::read(folder, &run.key)?.seconds)));
     let (done, seconds) = kept.fold((0.0, 0.0), |sum, run| (sum.0 + run.0, sum.1 + run.1));
-    let pace = if done > 0.0 { seconds / done } else { 1.0 / (6.0 * PIXELS_PER_SECOND) };
+    let waves = (1 + Test::Path.bounces()) as f64;
+    let pace = if done > 0.0 { seconds / done } else { 1.0 / (waves * PIXELS_PER_SECOND) };
     open.iter().fold(0.0, |sum, run| sum + pixels(run)) * pace / rayon::current_num_threads() as f64
 }

@@ -4,7 +4,6 @@ use super::file::SweepFile;
 use crate::input::{SceneSource, quality_name};
 use crate::progress::Progress;
 use anyhow::{Context, bail, ensure};
-use costs::Pipeline;
 use estimate::{Method, embedded_library};
 use golden::build::Quality;
 use machine::costs::CacheCosts;
@@ -13,8 +12,7 @@ use machine::frame::{FrameMachine, MachineStructure};
 use render::Test;
 use scenes::Scene;
 use sha2::{Digest, Sha256};
-use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// Most runs of a sweep.
@@ -123,12 +121,7 @@ impl Plan {
             count.is_some_and(|count| count <= MOST_RUNS),
             "the product of all lists has more than {MOST_RUNS} runs; shorten a list"
         );
-        // All runs share few pipelines, which take a while to elaborate.
-        let elaborated: RefCell<BTreeMap<String, Pipeline>> = RefCell::default();
-        let elaborate = estimate::by_name(method);
-        let pipeline = |name: &str| {
-            elaborated.borrow_mut().entry(name.to_owned()).or_insert_with(|| elaborate(name)).clone()
-        };
+        let pipeline = estimate::by_name(method);
         let mut described = vec![];
         for name in &file.machines {
             for set in &combinations {
@@ -145,7 +138,7 @@ impl Plan {
                 for &test in &tests {
                     for &size in &file.sizes {
                         for (name, set, machine) in &described {
-                            let machine = FrameMachine::new(machine, structure, pipeline)?;
+                            let machine = FrameMachine::new(machine, structure, &pipeline)?;
                             let frame = (quality, level, test, size);
                             let key = key(subject, frame, &machine);
                             runs.push(Run {

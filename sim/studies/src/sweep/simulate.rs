@@ -9,7 +9,6 @@ use anyhow::Context;
 use golden::structure::{Structure, StructureKind};
 use machine::frame::{FrameMachine, MachineStructure, frame, node_bytes};
 use machine::program::Program;
-use machine::results::{Results, Tally};
 use rayon::prelude::*;
 use render::{RenderOptions, Test};
 use scenes::Scene;
@@ -82,8 +81,7 @@ fn one(run: &Run, subject: &Subject, scene: &Scene, structure: &Structure) -> an
     let machine = &run.machine;
     let bytes = node_bytes(structure, machine.description.layout)?.0;
     let frame = frame(machine, scene, structure, &options(run.test, run.size, subject), |_| {})?;
-    let tally = Tally::new(&frame.program, &frame.counts);
-    let results = Results::new(&machine.description, machine.pipeline.as_ref(), &tally)?;
+    let results = machine.results(&frame.program, &frame.counts)?;
     let facts = [scene.mesh.triangles.len() as u64, bytes, frame.rays];
     Ok(Record::new(&run.key, facts, start.elapsed().as_secs_f64(), &results))
 }

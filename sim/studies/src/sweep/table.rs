@@ -1,6 +1,6 @@
 //! All runs of a sweep as one table, and a chart for each key that has several values.
 
-use super::plan::{Plan, Run};
+use super::plan::{Plan, Run, Subject};
 use super::record::Record;
 use machine::frame::MachineStructure;
 use std::collections::BTreeSet;
@@ -47,12 +47,9 @@ pub fn csv(plan: &Plan, records: &[Record]) -> anyhow::Result<Vec<u8>> {
 fn keys(plan: &Plan, run: &Run, record: &Record) -> Vec<String> {
     let subject = &plan.subjects[run.subject];
     let [width, height] = run.size;
-    // A file is taken as it is.
-    let detail =
-        if subject.source.path().is_some() { String::new() } else { subject.source.detail.to_string() };
     vec![
         subject.name.clone(),
-        detail,
+        detail(subject),
         subject.source.seed.to_string(),
         record.triangles.to_string(),
         run.structure.name().to_owned(),
@@ -66,34 +63,47 @@ fn keys(plan: &Plan, run: &Run, record: &Record) -> Vec<String> {
     ]
 }
 
+/// The detail of a built-in scene; nothing for a file, which is taken as it is.
+fn detail(subject: &Subject) -> String {
+    if subject.source.path().is_some() { String::new() } else { subject.source.detail.to_string() }
+}
+
 /// What the charts show: the quantity, its unit, and the words of its file and title.
 const SHOWN: [(&str, &str, &str, &str); 2] =
     [("frame_ms", "ms", "time", "Frame time"), ("energy_mj.total", "mJ", "energy", "Energy")];
 
 /// The charts as SVG, with the names of their files: of each key with several values, the geometric mean over all other keys.
 pub fn charts(plan: &Plan, records: &[Record]) -> Vec<(String, String)> {
+    let lines: Vec<Vec<(&str, String)>> = plan.runs.iter().map(|run| varied(plan, run)).collect();
+    let used: Vec<MachineStructure> = MachineStructure::ALL
+        .into_iter()
+        .filter(|s| plan.runs.iter().any(|run| run.structure == *s))
+        .collect();
     let mut charts = vec![];
-    for (key, values) in varied(plan) {
+    for (place, (key, _)) in lines.first().into_iter().flatten().enumerate() {
+        let mut seen = BTreeSet::new();
+        let values = lines.iter().map(|line| &line[place].1);
+        let values: Vec<&String> = values.filter(|value| !value.is_empty() && seen.insert(*value)).collect();
+        if values.len() < 2 {
+            continue;
+        }
         for (quantity, unit, file, title) in SHOWN {
             let mean = |structure: MachineStructure, value: &String| {
-                let of_value = plan
-                    .runs
-                    .iter()
-                    .zip(records)
-                    .filter(|(run, _)| run.structure == structure && value_of(plan, run, &key) == *value);
-                let logs: Vec<f64> =
-                    of_value.filter_map(|(_, record)| record.quantity(quantity)).map(libm::log).collect();
+                let runs = plan.runs.iter().zip(records).zip(&lines);
+                let of_value =
+                    runs.filter(|((run, _), line)| run.structure == structure && line[place].1 == *value);
+                let quantities = of_value.filter_map(|((_, record), _)| record.quantity(quantity));
+                let logs: Vec<f64> = quantities.map(libm::log).collect();
                 (!logs.is_empty()).then(|| libm::exp(logs.iter().sum::<f64>() / logs.len() as f64))
             };
-            let used =
-                MachineStructure::ALL.into_iter().filter(|s| plan.runs.iter().any(|run| run.structure == *s));
-            let series = used.map(|structure| {
-                (structure.name().to_owned(), values.iter().map(|value| mean(structure, value)).collect())
+            let series = used.iter().map(|structure| {
+                let means = values.iter().map(|value| mean(*structure, value));
+                (structure.name().to_owned(), means.collect())
             });
             let chart = Bars {
                 title: format!("{title} by {key}"),
                 unit: unit.to_owned(),
-                categories: values.clone(),
+                categories: values.iter().map(|value| (*value).clone()).collect(),
                 series: series.collect(),
                 ..Bars::default()
             };
@@ -103,38 +113,19 @@ pub fn charts(plan: &Plan, records: &[Record]) -> Vec<(String, String)> {
     charts
 }
 
-/// The keys with several values, in the order of the table, with their values.
-fn varied(plan: &Plan) -> Vec<(String, Vec<String>)> {
-    let file = &plan.file;
-    let texts = |values: &[String]| values.to_vec();
-    let keys = [
-        ("scene", texts(&file.scenes)),
-        ("detail", file.detail.iter().map(ToString::to_string).collect()),
-        ("seed", file.seeds.iter().map(ToString::to_string).collect()),
-        ("structure", texts(&file.structures)),
-        ("test", texts(&file.tests)),
-        ("size", file.sizes.iter().map(|[width, height]| format!("{width}x{height}")).collect()),
-        ("machine", texts(&file.machines)),
-    ];
-    let set = file.set.iter().map(|key| (key.name.clone(), key.values.clone()));
-    let all = keys.map(|(key, values)| (key.to_owned(), values)).into_iter().chain(set);
-    all.filter(|(_, values)| values.len() > 1).collect()
-}
-
-/// The value that `run` has of `key`.
-fn value_of(plan: &Plan, run: &Run, key: &str) -> String {
+/// The keys of the file in the order of the table, with the values that `run` has of them.
+fn varied<'a>(plan: &'a Plan, run: &Run) -> Vec<(&'a str, String)> {
     let subject = &plan.subjects[run.subject];
-    match key {
-        "scene" => subject.name.clone(),
-        "detail" => subject.source.detail.to_string(),
-        "seed" => subject.source.seed.to_string(),
-        "structure" => run.structure.name().to_owned(),
-        "test" => run.test.name().to_owned(),
-        "size" => format!("{}x{}", run.size[0], run.size[1]),
-        "machine" => run.machine_name.clone(),
-        _ => {
-            let place = plan.file.set.iter().position(|known| known.name == key);
-            place.map(|place| run.set[place].clone()).unwrap_or_default()
-        }
-    }
+    let [width, height] = run.size;
+    let mut all = vec![
+        ("scene", subject.name.clone()),
+        ("detail", detail(subject)),
+        ("seed", subject.source.seed.to_string()),
+        ("structure", run.structure.name().to_owned()),
+        ("test", run.test.name().to_owned()),
+        ("size", format!("{width}x{height}")),
+        ("machine", run.machine_name.clone()),
+    ];
+    all.extend(plan.file.set.iter().zip(&run.set).map(|(key, value)| (key.name.as_str(), value.clone())));
+    all
 }

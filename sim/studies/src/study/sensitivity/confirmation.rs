@@ -5,7 +5,6 @@ use super::super::row::Row;
 use super::{Frames, machines};
 use crate::progress::{Part, Progress};
 use machine::frame::{FrameMachine, frame};
-use machine::results::{Results, Tally};
 use machines::Values;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -57,8 +56,7 @@ pub(super) fn confirm(
         let rows = chosen.par_iter().map(|&machine| {
             let set_up = FrameMachine::new(&frames.descriptions[machine], place.structure, &frames.pipeline)?;
             let run = frame(&set_up, place.scene, place.converted, &place.options, |_| ())?;
-            let tally = Tally::new(&run.program, &run.counts);
-            let results = Results::new(&set_up.description, set_up.pipeline.as_ref(), &tally)?;
+            let results = set_up.results(&run.program, &run.counts)?;
             part.advance(1);
             frames.row(place, machine, run.rays, &results)
         });
