@@ -18,6 +18,7 @@
 module fp_add_fp_unpack (
     input  wire [31:0] word_i,
     output wire        sign_o,
+    output wire [7:0]  code_o,
     output wire [7:0]  exponent_o,
     output wire [23:0] significand_o,
     output wire        nan_o,
@@ -36,6 +37,7 @@ module fp_add_fp_unpack (
 
     // Outputs
     assign sign_o = word_i[31];
+    assign code_o = code;
     assign exponent_o = exponent;
     assign significand_o = significand;
     assign nan_o = special & infinity_o_part;
@@ -95,11 +97,50 @@ module fp_add_sticky_shift (
     assign result_o = value;
 endmodule
 
+// fp_add_leading_zeros: leading_zeros w26_x5
+//   constant distance_0 = 5'h10
+//   constant distance_1 = 5'd8
+//   constant distance_2 = 5'd4
+//   constant distance_3 = 5'd2
+//   constant distance_4 = 5'd1
+//   constant limit_0 = 26'h400
+//   constant limit_1 = 26'h40000
+//   constant limit_2 = 26'h400000
+//   constant limit_3 = 26'h1000000
+//   constant limit_4 = 26'h2000000
+//
+// Counts the zeros above the leading one.
+module fp_add_leading_zeros (
+    input  wire [25:0] value_i,
+    output wire [4:0]  count_o
+);
+
+    // Logic
+    wire count_2_if = value_i < 26'h400;
+    wire [25:0] value_2 = count_2_if ? {value_i[9:0], 16'd0} : value_i;
+    wire [4:0] count_2 = count_2_if ? 5'h10 : 5'd0;
+    wire count_3_if = value_2 < 26'h40000;
+    wire [25:0] value_3 = count_3_if ? {value_2[17:0], 8'd0} : value_2;
+    wire [4:0] count_3 = count_3_if ? (count_2 + 5'd8) : count_2;
+    wire count_4_if = value_3 < 26'h400000;
+    wire [25:0] value_4 = count_4_if ? {value_3[21:0], 4'd0} : value_3;
+    wire [4:0] count_4 = count_4_if ? (count_3 + 5'd4) : count_3;
+    wire count_5_if = value_4 < 26'h1000000;
+    wire [25:0] value_5 = count_5_if ? {value_4[23:0], 2'd0} : value_4;
+    wire [4:0] count_5 = count_5_if ? (count_4 + 5'd2) : count_4;
+    wire [4:0] count = (value_5 < 26'h2000000) ? (count_5 + 5'd1) : count_5;
+
+    // Outputs
+    assign count_o = count;
+endmodule
+
 // fp_add_rounder: rounder e8m23
-//   constant leading_index = 8'h19
+//   constant top_index = 8'h19
+//   constant second_index = 8'h18
 //   constant fraction_mask = 26'h7fffff
 //   constant fraction_bits = 8'h17
 //   constant special_exponent = 10'hff
+//   constant last_exponent = 10'hfe
 //   constant max_finite = 32'h7f7fffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
@@ -107,10 +148,14 @@ endmodule
 //
 // The one rounder behind every operation.
 //
-// The exact result is handed over as `(-1)^sign * significand * 2^(exponent - bias - S)`, where the significand has `S`
-// bits, a round bit and a sticky bit (the OR of all that is further below). Field and fraction are packed into one
-// word before the increment, so that a carry out of the fraction runs into the exponent: the largest subnormal becomes
-// the smallest normal number, and the largest number becomes infinity, without a case of their own.
+// The exact result is handed over as a window of `S + 2` bits and the OR of all that is below it, `lost_i`. `exponent_i` is the
+// exponent of the window's second bit. If the top bit is clear, the result starts at the second bit, unless the exponent is 0,
+// which makes it subnormal. Whoever fills the window need know where its leading one is to within one place only.
+//
+// Field and fraction are packed into one word before the increment, so that a carry out of the fraction runs into the
+// exponent: the largest subnormal becomes the smallest normal number, and the largest number becomes infinity, without a
+// case of their own. For the same reason, a window may hold the complement of a negative number: what is shifted in below
+// is all ones, and the increment that `complement_i` asks for completes the negation.
 //
 // | code | direction | increments if | beyond the largest number |
 // |---|---|---|---|
@@ -124,7 +169,9 @@ endmodule
 module fp_add_rounder (
     input  wire        sign_i,
     input  wire [9:0]  exponent_i,
-    input  wire [25:0] significand_i,
+    input  wire [25:0] window_i,
+    input  wire        lost_i,
+    input  wire        complement_i,
     input  wire        nan_i,
     input  wire        infinity_i,
     input  wire [2:0]  rounding_i,
@@ -132,26 +179,30 @@ module fp_add_rounder (
 );
 
     // Logic
+    // The significand with its round bit at the bottom, and whether anything is below.
+    wire top = window_i[25];
+    wire sticky_if = top | ~(|exponent_i);
+    wire [25:0] kept = sticky_if ? {1'b0, window_i[25:1]} : window_i;
+    wire sticky = sticky_if ? (lost_i | window_i[0]) : lost_i;
     // Direction.
-    wire leading = significand_i[25];
-    wire inexact = significand_i[1] | significand_i[0];
+    wire inexact = kept[0] | sticky;
     wire away = ((rounding_i == 3'd2) & sign_i) | ((rounding_i == 3'd3) & ~sign_i);
     wire increment_2_if = rounding_i == 3'd0;
     wire increment_if = rounding_i == 3'd4;
     wire to_infinity = (increment_2_if | increment_if) | away;
     wire increment_1 = away & inexact;
     // Packing and increment.
-    wire [25:0] fraction_1 = {2'd0, significand_i[25:2]};
-    wire increment_2_part = significand_i[1] & (significand_i[0] | significand_i[2]);
-    wire increment_2 = increment_2_if ? increment_2_part : increment_1;
-    wire increment = increment_if ? significand_i[1] : increment_2;
+    wire [25:0] fraction_1 = {1'b0, kept[25:1]};
+    wire increment_2 = increment_2_if ? (kept[0] & (sticky | kept[1])) : increment_1;
+    wire increment = increment_if ? kept[0] : increment_2;
+    wire [9:0] exponent_2 = window_i[24] ? exponent_i : 10'd0;
+    wire [9:0] exponent = top ? (exponent_i + 10'd1) : exponent_2;
     wire [25:0] fraction = fraction_1 & 26'h7fffff;
-    wire [31:0] field_2 = leading ? {22'd0, exponent_i} : 32'd0;
-    wire [31:0] field = {field_2[8:0], 23'd0};
+    wire [31:0] field = {exponent[8:0], 23'd0};
     wire [31:0] encoded = field | {6'd0, fraction};
-    wire [31:0] magnitude_2 = increment ? (encoded + 32'd1) : encoded;
-    // Results outside the normal range.
-    wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
+    wire [31:0] magnitude_2 = (increment | complement_i) ? (encoded + 32'd1) : encoded;
+    // Results outside the normal range. An increment that overflows gives infinity by itself.
+    wire overflow = (exponent_i >= 10'hff) | (top & (exponent_i == 10'hfe));
     wire [31:0] magnitude_3 = overflow ? (to_infinity ? 32'h7f800000 : 32'h7f7fffff) : magnitude_2;
     wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
     wire [31:0] word_2 = sign_i ? (magnitude | 32'h80000000) : magnitude;
@@ -161,32 +212,18 @@ module fp_add_rounder (
     assign result_o = word;
 
     // Bits that nothing reads
-    wire unused = &{1'b0, field_2[31:9]};
+    wire unused = &{1'b0, exponent[9]};
 endmodule
 
 // fp_add: fp_add e8m23_t1
-//   constant magnitude_mask = 32'h7fffffff
-//   constant distance_0 = 8'h80
-//   constant distance_1 = 8'h40
-//   constant distance_2 = 8'h20
-//   constant distance_3 = 8'h10
-//   constant distance_4 = 8'd8
-//   constant distance_5 = 8'd4
-//   constant distance_6 = 8'd2
-//   constant distance_7 = 8'd1
-//   constant limit_0 = 28'd0
-//   constant limit_1 = 28'd0
-//   constant limit_2 = 28'd0
-//   constant limit_3 = 28'h1000
-//   constant limit_4 = 28'h100000
-//   constant limit_5 = 28'h1000000
-//   constant limit_6 = 28'h4000000
-//   constant limit_7 = 28'h8000000
+//   constant top_bit = 26'h2000000
+//   constant second_bit = 26'h1000000
+//   constant top_index = 8'h1b
 //
 // Floating-point addition and subtraction.
 //
-// Let `|a| >= |b|` (else swap), `d` the difference of their exponents. Both significands get three bits below the last
-// place; the smaller one is shifted right by `d`, a sticky bit standing for all that falls off, and added or
+// Let `a` have the larger exponent (else swap), `d` the difference of the exponents. Both significands get three bits below
+// the last place; the one of `b` is shifted right by `d`, a sticky bit standing for all that falls off, and added or
 // subtracted:
 //
 // ```text
@@ -194,13 +231,23 @@ endmodule
 // ```
 //
 // Three bits suffice: if `d >= 2`, a difference loses at most one leading bit, which leaves a round bit
-// and the sticky bit; if `d <= 1`, it is exact. The sum is then shifted left by `min(leading zeros, exponent)`: fully
-// normalised, or as far as the smallest exponent allows, so that a subnormal result is exact and needs no case of
-// its own.
+// and the sticky bit; if `d <= 1`, it is exact. The sum is then shifted left until it fills the rounder's window, but never by more
+// than the exponent, so that a subnormal result is exact and needs no case of its own.
+//
+// *The difference is formed inverted*, as `!x + y = -(x - y) - 1`, which spares the adder its incoming carry. If `d = 0`, the
+// significand of `b` may be the larger one, which nobody compares. The difference is negative then; its complement goes
+// into the rounder's window, and the rounder's increment completes the negation. As such a difference is exact, the
+// increment is free.
+//
+// *The shift is known before the sum.* A sum has its leading one in the upper two places, a difference with `d >= 2` in the two
+// places below the top. Where `d <= 1`, the digits `p - q` of the nearly aligned significands tell the place (Schmookler and
+// Nowka, "Leading zero anticipation and detection", ARITH 2001). Each digit is -1, 0 or 1. The first that is not 0, `s`, starts a
+// run, which digits `-s` continue; each of them cancels the place before it. The leading one is where the run ends or one
+// place below. A marker where the exponent would run out bounds the shift.
 //
 // | cycle | work |
 // |---|---|
-// | 1 | unpack, order by magnitude, align, add or subtract |
+// | 1 | unpack, order by exponent, align, add or subtract; meanwhile, anticipate the leading one |
 // | 2 | normalise, round |
 //
 // | corner case | result |
@@ -231,8 +278,9 @@ module fp_add (
     reg nan;
     reg infinity;
     reg sign;
-    reg zero_sign;
+    reg minus_1;
     reg [7:0] exponent;
+    reg [4:0] left;
     reg [27:0] sum;
     reg valid_2;
     reg tag_2;
@@ -241,6 +289,8 @@ module fp_add (
     // Outputs of instances
     wire b_sign_o;
     wire a_sign_o;
+    wire [7:0] a_code_o;
+    wire [7:0] b_code_o;
     wire [7:0] a_exponent_o;
     wire [7:0] b_exponent_o;
     wire [23:0] a_significand_o;
@@ -250,45 +300,55 @@ module fp_add (
     wire b_nan_o;
     wire a_infinity_o;
     wire b_infinity_o;
+    wire [4:0] zeros_count_o;
     wire [31:0] rounder_result_o;
 
     // Logic
-    // Cycle 1: order the operands by magnitude.
+    // Cycle 1: order the operands by exponent. Both differences are ready when it is known which one counts.
     wire sign_b = b_sign_o ^ subtract_i;
     wire differ = a_sign_o ^ sign_b;
-    wire [31:0] magnitude_a = a_i & 32'h7fffffff;
-    wire [31:0] magnitude_b = b_i & 32'h7fffffff;
-    wire swap = magnitude_a < magnitude_b;
+    wire swap = a_code_o < b_code_o;
+    wire [7:0] a_above_b = a_exponent_o - b_exponent_o;
+    wire [7:0] b_above_a = b_exponent_o - a_exponent_o;
+    wire [7:0] distance = swap ? b_above_a : a_above_b;
     wire high_sign = swap ? sign_b : a_sign_o;
     wire [7:0] high_exponent = swap ? b_exponent_o : a_exponent_o;
-    wire [7:0] low_exponent = swap ? a_exponent_o : b_exponent_o;
     wire [23:0] high_significand = swap ? b_significand_o : a_significand_o;
     wire [23:0] low_significand = swap ? a_significand_o : b_significand_o;
-    // Align and add.
-    wire [27:0] high = {1'b0, high_significand, 3'd0};
-    wire [27:0] total_1 = high + align_result_o;
-    wire [27:0] total = differ ? (high - align_result_o) : total_1;
-    wire normal_2_if = (sum < 28'h1000) & (exponent >= 8'h10);
+    // Align and add; a difference is inverted.
+    wire [27:0] high_2 = {1'b0, high_significand, 3'd0};
+    wire [27:0] high = differ ? ~high_2 : high_2;
+    wire [27:0] total = high + align_result_o;
+    // Anticipate the leading one: align by one place, as if the exponents differed by at most one.
+    wire [1:0] near = a_above_b[1:0];
+    wire [25:0] p_1 = {2'd0, a_significand_o};
+    wire [25:0] q_1 = {2'd0, b_significand_o};
+    wire [25:0] p = (near != 2'd3) ? {1'b0, a_significand_o, 1'b0} : p_1;
+    wire [25:0] q = (near != 2'd1) ? {1'b0, b_significand_o, 1'b0} : q_1;
+    wire [25:0] plus = p & ~q;
+    wire [25:0] minus = q & ~p;
+    wire [25:0] first_1 = plus | minus;
+    wire [25:0] ends_1_part = {1'b0, first_1[25:1]};
+    wire [25:0] first = ~ends_1_part;
+    wire [25:0] after_plus = {plus[24:0], 1'b0};
+    wire [25:0] after_minus = {minus[24:0], 1'b0};
+    wire [25:0] ends_1_part_2 = ~after_minus;
+    wire [25:0] ends_1_part_3 = ~after_plus;
+    wire [25:0] ends_1_part_4 = (plus & ends_1_part_2) | (minus & ends_1_part_3);
+    wire [25:0] ends_1_part_5 = (plus & ends_1_part_3) | (minus & ends_1_part_2);
+    wire [25:0] ends_1 = (first & ends_1_part_4) | (ends_1_part & ends_1_part_5);
+    wire [25:0] ends_2 = (ends_1 | (26'h2000000 >> high_exponent)) | 26'd1;
+    wire [25:0] ends_3 = (|distance[7:1]) ? (ends_2 | 26'h1000000) : ends_2;
+    wire [25:0] ends = differ ? ends_3 : (ends_3 | 26'h2000000);
     // Cycle 2: normalise as far as the exponent allows.
-    wire [7:0] budget_2 = normal_2_if ? (exponent - 8'h10) : exponent;
-    wire [27:0] normal_2 = normal_2_if ? {sum[11:0], 16'd0} : sum;
-    wire normal_3_if = (normal_2 < 28'h100000) & (budget_2 >= 8'd8);
-    wire [7:0] budget_3 = normal_3_if ? (budget_2 - 8'd8) : budget_2;
-    wire [27:0] normal_3 = normal_3_if ? {normal_2[19:0], 8'd0} : normal_2;
-    wire normal_4_if = (normal_3 < 28'h1000000) & (budget_3 >= 8'd4);
-    wire [7:0] budget_4 = normal_4_if ? (budget_3 - 8'd4) : budget_3;
-    wire [27:0] normal_4 = normal_4_if ? {normal_3[23:0], 4'd0} : normal_3;
-    wire normal_5_if = (normal_4 < 28'h4000000) & (budget_4 >= 8'd2);
-    wire [7:0] budget_5 = normal_5_if ? (budget_4 - 8'd2) : budget_4;
-    wire [27:0] normal_5 = normal_5_if ? {normal_4[25:0], 2'd0} : normal_4;
-    wire normal_if = (normal_5 < 28'h8000000) & (budget_5 >= 8'd1);
-    wire [7:0] budget = normal_if ? (budget_5 - 8'd1) : budget_5;
-    wire [27:0] normal = normal_if ? {normal_5[26:0], 1'b0} : normal_5;
-    wire [9:0] raw_exponent = {2'd0, budget};
-    wire [27:0] raw_significand_1 = {2'd0, normal[27:2]};
-    wire [27:0] raw_significand = (normal[0] | normal[1]) ? (raw_significand_1 | 28'd1) : raw_significand_1;
+    wire [27:0] difference = minus_1 ? ~sum : sum;
+    wire negative = minus_1 & difference[27];
+    wire [27:0] normal_1 = difference << left;
+    wire [27:0] normal = negative ? ~normal_1 : normal_1;
+    wire [9:0] wide_exponent = {2'd0, exponent};
     // Round.
-    wire result_sign = (~(|sum) & ~infinity) ? zero_sign : sign;
+    wire result_sign_1 = sign ^ negative;
+    wire result_sign = (minus_1 & ~(|difference)) ? (rounding == 3'd2) : result_sign_1;
 
     // Next state
     always @(posedge clk_i or negedge rst_ni) begin
@@ -307,8 +367,9 @@ module fp_add (
             nan <= (a_nan_o | b_nan_o) | ((a_infinity_o & b_infinity_o) & differ);
             infinity <= a_infinity_o | b_infinity_o;
             sign <= high_sign;
-            zero_sign <= (differ & (rounding_i == 3'd2)) | (~differ & high_sign);
+            minus_1 <= differ;
             exponent <= high_exponent;
+            left <= zeros_count_o;
             sum <= total;
             tag_2 <= tag_1;
             result <= rounder_result_o;
@@ -316,10 +377,11 @@ module fp_add (
     end
 
     // Instances
-    // Cycle 1: order the operands by magnitude.
+    // Cycle 1: order the operands by exponent. Both differences are ready when it is known which one counts.
     fp_add_fp_unpack a (
         .word_i        (a_i),
         .sign_o        (a_sign_o),
+        .code_o        (a_code_o),
         .exponent_o    (a_exponent_o),
         .significand_o (a_significand_o),
         .nan_o         (a_nan_o),
@@ -328,26 +390,34 @@ module fp_add (
     fp_add_fp_unpack b (
         .word_i        (b_i),
         .sign_o        (b_sign_o),
+        .code_o        (b_code_o),
         .exponent_o    (b_exponent_o),
         .significand_o (b_significand_o),
         .nan_o         (b_nan_o),
         .infinity_o    (b_infinity_o)
     );
-    // Align and add.
+    // Align and add; a difference is inverted.
     fp_add_sticky_shift align (
         .value_i  ({1'b0, low_significand, 3'd0}),
-        .amount_i (high_exponent - low_exponent),
+        .amount_i (distance),
         .result_o (align_result_o)
+    );
+    // The marker, and a one at the bottom, so that the count means something even for zero.
+    fp_add_leading_zeros zeros (
+        .value_i (ends),
+        .count_o (zeros_count_o)
     );
     // Round.
     fp_add_rounder rounder (
-        .sign_i        (result_sign),
-        .exponent_i    (raw_exponent + 10'd1),
-        .significand_i (raw_significand[25:0]),
-        .nan_i         (nan),
-        .infinity_i    (infinity),
-        .rounding_i    (rounding),
-        .result_o      (rounder_result_o)
+        .sign_i       (result_sign),
+        .exponent_i   (wide_exponent - {5'd0, left}),
+        .window_i     (normal[27:2]),
+        .lost_i       (normal[0] | normal[1]),
+        .complement_i (negative),
+        .nan_i        (nan),
+        .infinity_i   (infinity),
+        .rounding_i   (rounding),
+        .result_o     (rounder_result_o)
     );
 
     // Outputs
@@ -356,7 +426,7 @@ module fp_add (
     assign result_o = result;
 
     // Bits that nothing reads
-    wire unused = &{1'b0, raw_significand[27:26]};
+    wire unused = &{1'b0, first_1[0]};
 endmodule
 
 `default_nettype wire

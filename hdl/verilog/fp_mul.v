@@ -42,49 +42,49 @@ module fp_mul_fp_unpack (
     assign infinity_o = special & ~infinity_o_part;
 endmodule
 
-// fp_mul_significand_product: significand_product w24
+// fp_mul_significand_product_v1: significand_product w24_lower
 //
-// The multiplier array: product of two significands.
+// The multiplier arrays: the product of a significand with one half of another.
 //
-// With `a = a_h * 2^16 + a_l` and `b` likewise, `a * b = a_h b_h * 2^32 + (a_h b_l + a_l b_h) * 2^16 + a_l b_l`; each
-// partial product is one of `rust-hdl`'s 16 x 16 bits. A significand of 16 bits or fewer has no high part, and
-// three of the four products fold away.
+// With `b = b_upper * 2^H + b_lower` and `H` half the bits, rounded up, `a * b = a b_upper * 2^H + a b_lower`. Either array has half
+// the rows of a whole one, which is what fits in a cycle; whoever uses the two adds their products in the next.
 //
-// A leaf module of its own, so that a proof can treat it as a black box and synthesis can choose its multiplier.
-module fp_mul_significand_product (
+// A leaf module of its own, so that a proof can treat it as a black box and synthesis can choose its multiplier. `rust-hdl`
+// multiplies 16 by 16 bits only, so that this module has its kernel written twice: for simulation, and as the syntax tree
+// that other kernels get from the macro.
+module fp_mul_significand_product_v1 (
     input  wire [23:0] a_i,
     input  wire [23:0] b_i,
     output wire [47:0] product_o
 );
 
-    // Logic
-    wire [15:0] a_0 = a_i[15:0];
-    wire [15:0] b_0 = b_i[15:0];
-    wire [15:0] a_1 = {8'd0, a_i[23:16]};
-    wire [15:0] b_1 = {8'd0, b_i[23:16]};
-    wire [31:0] low = {16'd0, a_0} * {16'd0, b_0};
-    wire [31:0] cross_0 = {16'd0, a_0} * {16'd0, b_1};
-    wire [31:0] cross_1 = {16'd0, a_1} * {16'd0, b_0};
-    wire [31:0] high = {16'd0, a_1} * {16'd0, b_1};
-    // Each cross product has at most 16 + 8 bits, so that their sum fits.
-    wire [31:0] middle = cross_0 + cross_1;
-    wire [47:0] middle_wide = {middle, 16'd0};
-    wire [47:0] high_wide = {high[15:0], 32'd0};
-    wire [47:0] sum = middle_wide + high_wide;
-
     // Outputs
-    assign product_o = sum + {16'd0, low};
+    assign product_o = {24'd0, a_i} * {24'd0, {12'd0, b_i[11:0]}};
 
     // Bits that nothing reads
-    wire unused = &{1'b0, high[31:16]};
+    wire unused = &{1'b0, b_i[23:12]};
 endmodule
 
-// fp_mul_leading_zeros: leading_zeros w24_x10
-//   constant distance_0 = 10'h10
-//   constant distance_1 = 10'd8
-//   constant distance_2 = 10'd4
-//   constant distance_3 = 10'd2
-//   constant distance_4 = 10'd1
+// fp_mul_significand_product_v2: significand_product w24_upper
+module fp_mul_significand_product_v2 (
+    input  wire [23:0] a_i,
+    input  wire [23:0] b_i,
+    output wire [47:0] product_o
+);
+
+    // Outputs
+    assign product_o = {24'd0, a_i} * {24'd0, {12'd0, b_i[23:12]}};
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, b_i[11:0]};
+endmodule
+
+// fp_mul_leading_zeros: leading_zeros w24_x5
+//   constant distance_0 = 5'h10
+//   constant distance_1 = 5'd8
+//   constant distance_2 = 5'd4
+//   constant distance_3 = 5'd2
+//   constant distance_4 = 5'd1
 //   constant limit_0 = 24'h100
 //   constant limit_1 = 24'h10000
 //   constant limit_2 = 24'h100000
@@ -94,97 +94,51 @@ endmodule
 // Counts the zeros above the leading one.
 module fp_mul_leading_zeros (
     input  wire [23:0] value_i,
-    output wire [9:0]  count_o
+    output wire [4:0]  count_o
 );
 
     // Logic
     wire count_2_if = value_i < 24'h100;
     wire [23:0] value_2 = count_2_if ? {value_i[7:0], 16'd0} : value_i;
-    wire [9:0] count_2 = count_2_if ? 10'h10 : 10'd0;
+    wire [4:0] count_2 = count_2_if ? 5'h10 : 5'd0;
     wire count_3_if = value_2 < 24'h10000;
     wire [23:0] value_3 = count_3_if ? {value_2[15:0], 8'd0} : value_2;
-    wire [9:0] count_3 = count_3_if ? (count_2 + 10'd8) : count_2;
+    wire [4:0] count_3 = count_3_if ? (count_2 + 5'd8) : count_2;
     wire count_4_if = value_3 < 24'h100000;
     wire [23:0] value_4 = count_4_if ? {value_3[19:0], 4'd0} : value_3;
-    wire [9:0] count_4 = count_4_if ? (count_3 + 10'd4) : count_3;
+    wire [4:0] count_4 = count_4_if ? (count_3 + 5'd4) : count_3;
     wire count_5_if = value_4 < 24'h400000;
     wire [23:0] value_5 = count_5_if ? {value_4[21:0], 2'd0} : value_4;
-    wire [9:0] count_5 = count_5_if ? (count_4 + 10'd2) : count_4;
-    wire [9:0] count = (value_5 < 24'h800000) ? (count_5 + 10'd1) : count_5;
+    wire [4:0] count_5 = count_5_if ? (count_4 + 5'd2) : count_4;
+    wire [4:0] count = (value_5 < 24'h800000) ? (count_5 + 5'd1) : count_5;
 
     // Outputs
     assign count_o = count;
 endmodule
 
-// fp_mul_sticky_shift: sticky_shift w26_a8
-//   constant distance_0 = 8'd1
-//   constant distance_1 = 8'd2
-//   constant distance_2 = 8'd4
-//   constant distance_3 = 8'd8
-//   constant distance_4 = 8'h10
-//   constant distance_5 = 8'h1a
-//   constant distance_6 = 8'h1a
-//   constant distance_7 = 8'h1a
-//   constant lost_mask_0 = 26'd1
-//   constant lost_mask_1 = 26'd3
-//   constant lost_mask_2 = 26'hf
-//   constant lost_mask_3 = 26'hff
-//   constant lost_mask_4 = 26'hffff
-//   constant lost_mask_5 = 26'h3ffffff
-//   constant lost_mask_6 = 26'h3ffffff
-//   constant lost_mask_7 = 26'h3ffffff
-//
-// Right shift that remembers whether it lost anything.
-module fp_mul_sticky_shift (
-    input  wire [25:0] value_i,
-    input  wire [7:0]  amount_i,
-    output wire [25:0] result_o
-);
-
-    // Logic
-    wire [25:0] lost_1 = value_i & 26'd1;
-    wire [25:0] value_2 = amount_i[0] ? {1'b0, value_i[25:1]} : value_i;
-    wire sticky_2 = amount_i[0] & (|lost_1);
-    wire [25:0] lost_2 = value_2 & 26'd3;
-    wire [25:0] value_3 = amount_i[1] ? {2'd0, value_2[25:2]} : value_2;
-    wire sticky_3 = amount_i[1] ? (sticky_2 | (|lost_2)) : sticky_2;
-    wire [25:0] lost_3 = value_3 & 26'hf;
-    wire [25:0] value_4 = amount_i[2] ? {4'd0, value_3[25:4]} : value_3;
-    wire sticky_4 = amount_i[2] ? (sticky_3 | (|lost_3)) : sticky_3;
-    wire [25:0] lost_4 = value_4 & 26'hff;
-    wire [25:0] value_5 = amount_i[3] ? {8'd0, value_4[25:8]} : value_4;
-    wire sticky_5 = amount_i[3] ? (sticky_4 | (|lost_4)) : sticky_4;
-    wire [25:0] lost_5 = value_5 & 26'hffff;
-    wire [25:0] value_6 = amount_i[4] ? {16'd0, value_5[25:16]} : value_5;
-    wire sticky_6 = amount_i[4] ? (sticky_5 | (|lost_5)) : sticky_5;
-    wire [25:0] value_7 = amount_i[5] ? 26'd0 : value_6;
-    wire sticky_7 = amount_i[5] ? (sticky_6 | (|value_6)) : sticky_6;
-    wire [25:0] lost = amount_i[6] ? 26'd0 : value_7;
-    wire sticky_8 = amount_i[6] ? (sticky_7 | (|value_7)) : sticky_7;
-    wire [25:0] value_9 = amount_i[7] ? 26'd0 : lost;
-    wire sticky = amount_i[7] ? (sticky_8 | (|lost)) : sticky_8;
-    wire [25:0] value = sticky ? (value_9 | 26'd1) : value_9;
-
-    // Outputs
-    assign result_o = value;
-endmodule
-
 // fp_mul_rounder: rounder e8m23
-//   constant leading_index = 8'h19
+//   constant top_index = 8'h19
+//   constant second_index = 8'h18
 //   constant fraction_mask = 26'h7fffff
 //   constant fraction_bits = 8'h17
 //   constant special_exponent = 10'hff
+//   constant last_exponent = 10'hfe
 //   constant max_finite = 32'h7f7fffff
 //   constant infinity = 32'h7f800000
 //   constant canonical_nan = 32'h7fc00000
 //   constant sign_bit = 32'h80000000
+//   tied input complement_i = 1'b0
 //
 // The one rounder behind every operation.
 //
-// The exact result is handed over as `(-1)^sign * significand * 2^(exponent - bias - S)`, where the significand has `S`
-// bits, a round bit and a sticky bit (the OR of all that is further below). Field and fraction are packed into one
-// word before the increment, so that a carry out of the fraction runs into the exponent: the largest subnormal becomes
-// the smallest normal number, and the largest number becomes infinity, without a case of their own.
+// The exact result is handed over as a window of `S + 2` bits and the OR of all that is below it, `lost_i`. `exponent_i` is the
+// exponent of the window's second bit. If the top bit is clear, the result starts at the second bit, unless the exponent is 0,
+// which makes it subnormal. Whoever fills the window need know where its leading one is to within one place only.
+//
+// Field and fraction are packed into one word before the increment, so that a carry out of the fraction runs into the
+// exponent: the largest subnormal becomes the smallest normal number, and the largest number becomes infinity, without a
+// case of their own. For the same reason, a window may hold the complement of a negative number: what is shifted in below
+// is all ones, and the increment that `complement_i` asks for completes the negation.
 //
 // | code | direction | increments if | beyond the largest number |
 // |---|---|---|---|
@@ -198,7 +152,8 @@ endmodule
 module fp_mul_rounder (
     input  wire        sign_i,
     input  wire [9:0]  exponent_i,
-    input  wire [25:0] significand_i,
+    input  wire [25:0] window_i,
+    input  wire        lost_i,
     input  wire        nan_i,
     input  wire        infinity_i,
     input  wire [2:0]  rounding_i,
@@ -206,26 +161,30 @@ module fp_mul_rounder (
 );
 
     // Logic
+    // The significand with its round bit at the bottom, and whether anything is below.
+    wire top = window_i[25];
+    wire sticky_if = top | ~(|exponent_i);
+    wire [25:0] kept = sticky_if ? {1'b0, window_i[25:1]} : window_i;
+    wire sticky = sticky_if ? (lost_i | window_i[0]) : lost_i;
     // Direction.
-    wire leading = significand_i[25];
-    wire inexact = significand_i[1] | significand_i[0];
+    wire inexact = kept[0] | sticky;
     wire away = ((rounding_i == 3'd2) & sign_i) | ((rounding_i == 3'd3) & ~sign_i);
     wire increment_2_if = rounding_i == 3'd0;
     wire increment_if = rounding_i == 3'd4;
     wire to_infinity = (increment_2_if | increment_if) | away;
     wire increment_1 = away & inexact;
     // Packing and increment.
-    wire [25:0] fraction_1 = {2'd0, significand_i[25:2]};
-    wire increment_2_part = significand_i[1] & (significand_i[0] | significand_i[2]);
-    wire increment_2 = increment_2_if ? increment_2_part : increment_1;
-    wire increment = increment_if ? significand_i[1] : increment_2;
+    wire [25:0] fraction_1 = {1'b0, kept[25:1]};
+    wire increment_2 = increment_2_if ? (kept[0] & (sticky | kept[1])) : increment_1;
+    wire increment = increment_if ? kept[0] : increment_2;
+    wire [9:0] exponent_2 = window_i[24] ? exponent_i : 10'd0;
+    wire [9:0] exponent = top ? (exponent_i + 10'd1) : exponent_2;
     wire [25:0] fraction = fraction_1 & 26'h7fffff;
-    wire [31:0] field_2 = leading ? {22'd0, exponent_i} : 32'd0;
-    wire [31:0] field = {field_2[8:0], 23'd0};
+    wire [31:0] field = {exponent[8:0], 23'd0};
     wire [31:0] encoded = field | {6'd0, fraction};
     wire [31:0] magnitude_2 = increment ? (encoded + 32'd1) : encoded;
-    // Results outside the normal range.
-    wire overflow = (exponent_i >= 10'hff) | (magnitude_2 == 32'h7f800000);
+    // Results outside the normal range. An increment that overflows gives infinity by itself.
+    wire overflow = (exponent_i >= 10'hff) | (top & (exponent_i == 10'hfe));
     wire [31:0] magnitude_3 = overflow ? (to_infinity ? 32'h7f800000 : 32'h7f7fffff) : magnitude_2;
     wire [31:0] magnitude = infinity_i ? 32'h7f800000 : magnitude_3;
     wire [31:0] word_2 = sign_i ? (magnitude | 32'h80000000) : magnitude;
@@ -235,15 +194,18 @@ module fp_mul_rounder (
     assign result_o = word;
 
     // Bits that nothing reads
-    wire unused = &{1'b0, field_2[31:9]};
+    wire unused = &{1'b0, exponent[9]};
 endmodule
 
 // fp_mul: fp_mul e8m23_t1
 //   constant bias = 10'h7e
 //   constant sign_index = 8'd9
-//   constant top_index = 8'h2f
-//   constant high_offset = 8'h16
-//   constant low_mask = 48'h3fffff
+//   constant hidden_index = 8'h17
+//   constant half = 8'hc
+//   constant above_half = 8'h24
+//   constant window_reach = 10'h16
+//   constant ones = 48'hffffffffffff
+//   constant window_offset = 8'h16
 //
 // Floating-point multiplication.
 //
@@ -255,14 +217,17 @@ endmodule
 // ```
 //
 // A product of normal numbers has its leading one in one of the top two bits; each leading zero of a subnormal operand
-// moves it down by one more. While the array multiplies, the zeros `z` of both operands are counted and the shift is
-// fixed: left by `min(z, e - 1)`, or right by `1 - e` if `e < 1`, where the result is subnormal. The last left shift, by
-// at most one, looks at the product itself.
+// moves it down by one more. While the arrays multiply, the zeros `z` of the subnormal operand are counted and the shift is
+// fixed: left by `min(z, e - 1)`, or right by `1 - e` if `e < 1`, where the result is subnormal. Two subnormal operands always have
+// such a result. That puts the leading one in the top two bits of the rounder's window.
+//
+// The two shifters work beside each other, as only one of them ever shifts. What is below the window is seen by a mask
+// on the product, which does not wait for them.
 //
 // | cycle | work |
 // |---|---|
-// | 1 | unpack, multiply; count zeros, exponent and shift amounts |
-// | 2 | shift, round |
+// | 1 | unpack, multiply with either half of `b`; count zeros, exponent and shift amounts |
+// | 2 | add the two products, shift, round |
 //
 // | corner case | result |
 // |---|---|
@@ -291,9 +256,12 @@ module fp_mul (
     reg infinity;
     reg sign;
     reg [9:0] exponent;
-    reg [9:0] left;
+    reg right_shift;
+    reg [4:0] left;
     reg [7:0] right;
-    reg [47:0] product;
+    reg [9:0] below;
+    reg [47:0] sum;
+    reg [23:0] carry;
     reg valid_2;
     reg tag_2;
     reg [31:0] result;
@@ -301,26 +269,26 @@ module fp_mul (
     // Outputs of instances
     wire [23:0] a_significand_o;
     wire [23:0] b_significand_o;
+    wire [47:0] array_upper_product_o;
+    wire [47:0] array_lower_product_o;
     wire a_infinity_o;
     wire b_infinity_o;
-    wire [9:0] zeros_a_count_o;
-    wire [9:0] zeros_b_count_o;
+    wire [4:0] leading_count_o;
     wire [7:0] a_exponent_o;
     wire [7:0] b_exponent_o;
     wire a_nan_o;
     wire b_nan_o;
     wire a_sign_o;
     wire b_sign_o;
-    wire [47:0] array_product_o;
-    wire [25:0] denormalise_result_o;
     wire [31:0] rounder_result_o;
 
     // Logic
-    // Cycle 1: multiply.
+    // Cycle 1: multiply. The sum of the two products has a word and a carry, whose bits below `half` are in the word.
     wire zero_factor = ~(|a_significand_o) | ~(|b_significand_o);
     wire infinite_factor = a_infinity_o | b_infinity_o;
     // Meanwhile, the exponent of the product's top bit, and how far the product has to be shifted.
-    wire [9:0] zeros = zeros_a_count_o + zeros_b_count_o;
+    wire [23:0] subnormal = a_significand_o[23] ? b_significand_o : a_significand_o;
+    wire [9:0] zeros = {5'd0, leading_count_o};
     wire [9:0] wide_a = {2'd0, a_exponent_o};
     wire [9:0] wide_b = {2'd0, b_exponent_o};
     wire [9:0] exponent_sum = wide_a + wide_b;
@@ -328,19 +296,22 @@ module fp_mul (
     wire tiny = top_exponent[9] | ~(|top_exponent);
     wire [9:0] room = top_exponent - 10'd1;
     wire [9:0] shortfall = 10'd1 - top_exponent;
-    wire [9:0] left_amount_2 = (room < zeros) ? room : zeros;
-    wire [9:0] start_exponent_1 = top_exponent - left_amount_2;
-    wire [9:0] left_amount = tiny ? 10'd0 : left_amount_2;
-    wire [7:0] right_amount = tiny ? shortfall[7:0] : 8'd0;
-    wire [9:0] start_exponent = tiny ? 10'd1 : start_exponent_1;
-    // Cycle 2: shift.
-    wire [47:0] normal_1 = product << left;
-    wire raw_exponent_if = ~normal_1[47] & (exponent != 10'd1);
-    wire [47:0] normal = raw_exponent_if ? {normal_1[46:0], 1'b0} : normal_1;
-    wire [9:0] raw_exponent = raw_exponent_if ? (exponent - 10'd1) : exponent;
-    wire [25:0] raw_significand_1 = normal[47:22];
-    wire [47:0] low = normal & 48'h3fffff;
-    wire [25:0] raw_significand = (|low) ? (raw_significand_1 | 26'd1) : raw_significand_1;
+    wire [9:0] start_exponent_1 = room - zeros;
+    wire start_exponent_2_if = room < zeros;
+    wire [9:0] left_amount = start_exponent_2_if ? room : zeros;
+    wire [9:0] start_exponent_2 = start_exponent_2_if ? 10'd0 : start_exponent_1;
+    // Nothing is below a window that a shift to the left takes to the product's end.
+    wire [9:0] below_window_1 = 10'h16 - left_amount;
+    wire [9:0] below_window_2 = below_window_1[9] ? 10'd0 : below_window_1;
+    wire [9:0] start_exponent = tiny ? 10'd0 : start_exponent_2;
+    wire [9:0] below_window = tiny ? (10'h16 + shortfall) : below_window_2;
+    // Cycle 2: add, and shift either way.
+    wire [47:0] product_2 = {12'd0, carry, 12'd0};
+    wire [47:0] product = sum + product_2;
+    wire [47:0] normal = product << left;
+    wire [47:0] window_1 = {22'd0, normal[47:22]};
+    wire [47:0] window = right_shift ? ({22'd0, product[47:22]} >> right) : window_1;
+    wire [47:0] lost = product & ~(48'hffffffffffff << below);
 
     // Next state
     always @(posedge clk_i or negedge rst_ni) begin
@@ -360,16 +331,19 @@ module fp_mul (
             infinity <= infinite_factor;
             sign <= a_sign_o ^ b_sign_o;
             exponent <= start_exponent;
-            left <= left_amount;
-            right <= right_amount;
-            product <= array_product_o;
+            right_shift <= tiny;
+            left <= left_amount[4:0];
+            right <= shortfall[7:0];
+            below <= below_window;
+            sum <= {array_upper_product_o[35:0], array_lower_product_o[11:0]};
+            carry <= array_lower_product_o[35:12];
             tag_2 <= tag_1;
             result <= rounder_result_o;
         end
     end
 
     // Instances
-    // Cycle 1: multiply.
+    // Cycle 1: multiply. The sum of the two products has a word and a carry, whose bits below `half` are in the word.
     fp_mul_fp_unpack a (
         .word_i        (a_i),
         .sign_o        (a_sign_o),
@@ -386,35 +360,31 @@ module fp_mul (
         .nan_o         (b_nan_o),
         .infinity_o    (b_infinity_o)
     );
-    fp_mul_significand_product array (
+    fp_mul_significand_product_v1 array_lower (
         .a_i       (a_significand_o),
         .b_i       (b_significand_o),
-        .product_o (array_product_o)
+        .product_o (array_lower_product_o)
+    );
+    fp_mul_significand_product_v2 array_upper (
+        .a_i       (a_significand_o),
+        .b_i       (b_significand_o),
+        .product_o (array_upper_product_o)
     );
     // Meanwhile, the exponent of the product's top bit, and how far the product has to be shifted.
-    fp_mul_leading_zeros zeros_a (
-        .value_i (a_significand_o),
-        .count_o (zeros_a_count_o)
-    );
-    fp_mul_leading_zeros zeros_b (
-        .value_i (b_significand_o),
-        .count_o (zeros_b_count_o)
-    );
-    // Cycle 2: shift.
-    fp_mul_sticky_shift denormalise (
-        .value_i  (raw_significand),
-        .amount_i (right),
-        .result_o (denormalise_result_o)
+    fp_mul_leading_zeros leading (
+        .value_i (subnormal),
+        .count_o (leading_count_o)
     );
     // Round.
     fp_mul_rounder rounder (
-        .sign_i        (sign),
-        .exponent_i    (raw_exponent),
-        .significand_i (denormalise_result_o),
-        .nan_i         (nan),
-        .infinity_i    (infinity),
-        .rounding_i    (rounding),
-        .result_o      (rounder_result_o)
+        .sign_i     (sign),
+        .exponent_i (exponent),
+        .window_i   (window[25:0]),
+        .lost_i     (|lost),
+        .nan_i      (nan),
+        .infinity_i (infinity),
+        .rounding_i (rounding),
+        .result_o   (rounder_result_o)
     );
 
     // Outputs
@@ -423,7 +393,7 @@ module fp_mul (
     assign result_o = result;
 
     // Bits that nothing reads
-    wire unused = &{1'b0, shortfall[9:8]};
+    wire unused = &{1'b0, array_lower_product_o[47:36], array_upper_product_o[47:36], normal[21:0], window[47:26]};
 endmodule
 
 `default_nettype wire

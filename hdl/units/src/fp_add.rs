@@ -1,7 +1,7 @@
 //! Floating-point addition and subtraction.
 //!
-//! Let `|a| >= |b|` (else swap), `d` the difference of their exponents. Both significands get three bits below the last
-//! place; the smaller one is shifted right by `d`, a sticky bit standing for all that falls off, and added or
+//! Let `a` have the larger exponent (else swap), `d` the difference of the exponents. Both significands get three bits below
+//! the last place; the one of `b` is shifted right by `d`, a sticky bit standing for all that falls off, and added or
 //! subtracted:
 //!
 //! ```text
@@ -9,13 +9,23 @@
 //! ```
 //!
 //! Three bits suffice: if `d >= 2`, a difference loses at most one leading bit, which leaves a round bit
-//! and the sticky bit; if `d <= 1`, it is exact. The sum is then shifted left by `min(leading zeros, exponent)`: fully
-//! normalised, or as far as the smallest exponent allows, so that a subnormal result is exact and needs no case of
-//! its own.
+//! and the sticky bit; if `d <= 1`, it is exact. The sum is then shifted left until it fills the rounder's window, but never by more
+//! than the exponent, so that a subnormal result is exact and needs no case of its own.
+//!
+//! *The difference is formed inverted*, as `!x + y = -(x - y) - 1`, which spares the adder its incoming carry. If `d = 0`, the
+//! significand of `b` may be the larger one, which nobody compares. The difference is negative then; its complement goes
+//! into the rounder's window, and the rounder's increment completes the negation. As such a difference is exact, the
+//! increment is free.
+//!
+//! *The shift is known before the sum.* A sum has its leading one in the upper two places, a difference with `d >= 2` in the two
+//! places below the top. Where `d <= 1`, the digits `p - q` of the nearly aligned significands tell the place (Schmookler and
+//! Nowka, "Leading zero anticipation and detection", ARITH 2001). Each digit is -1, 0 or 1. The first that is not 0, `s`, starts a
+//! run, which digits `-s` continue; each of them cancels the place before it. The leading one is where the run ends or one
+//! place below. A marker where the exponent would run out bounds the shift.
 //!
 //! | cycle | work |
 //! |---|---|
-//! | 1 | unpack, order by magnitude, align, add or subtract |
+//! | 1 | unpack, order by exponent, align, add or subtract; meanwhile, anticipate the leading one |
 //! | 2 | normalise, round |
 //!
 //! | corner case | result |
@@ -25,7 +35,7 @@
 //! | x + (-x) for finite x | +0, or -0 if rounding down |
 //! | zeros of equal sign | that zero |
 
-use super::{FpUnpack, Rounder, StickyShift};
+use super::{FpUnpack, LeadingZeros, Rounder, StickyShift};
 use crate::blocks::{ClockEnable, Dff, Valid, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
@@ -109,24 +119,39 @@ pub struct FpAdd<
     /// Rounded sum or difference.
     pub result_o: Signal<Out, Bits<W>>,
 
-    // Cycle 1.
-    magnitude_mask: Constant<Bits<W>>,
+    // Cycle 1: exponents.
     a: FpUnpack<E, S, W>,
     b: FpUnpack<E, S, W>,
     sign_b: Signal<Local, Bit>,
     differ: Signal<Local, Bit>,
-    magnitude_a: Signal<Local, Bits<W>>,
-    magnitude_b: Signal<Local, Bits<W>>,
     swap: Signal<Local, Bit>,
+    a_above_b: Signal<Local, Bits<E>>,
+    b_above_a: Signal<Local, Bits<E>>,
+    distance: Signal<Local, Bits<E>>,
     high_sign: Signal<Local, Bit>,
     high_exponent: Signal<Local, Bits<E>>,
-    low_exponent: Signal<Local, Bits<E>>,
+
+    // Cycle 1: sum.
     high_significand: Signal<Local, Bits<S>>,
     low_significand: Signal<Local, Bits<S>>,
     high: Signal<Local, Bits<N>>,
     low: Signal<Local, Bits<N>>,
     align: StickyShift<N, E>,
     total: Signal<Local, Bits<N>>,
+
+    // Cycle 1: anticipation.
+    top_bit: Constant<Bits<R>>,
+    second_bit: Constant<Bits<R>>,
+    near: Signal<Local, Bits<2>>,
+    p: Signal<Local, Bits<R>>,
+    q: Signal<Local, Bits<R>>,
+    plus: Signal<Local, Bits<R>>,
+    minus: Signal<Local, Bits<R>>,
+    first: Signal<Local, Bits<R>>,
+    after_plus: Signal<Local, Bits<R>>,
+    after_minus: Signal<Local, Bits<R>>,
+    ends: Signal<Local, Bits<R>>,
+    zeros: LeadingZeros<R, 5>,
 
     // Between the cycles.
     valid_1: Valid,
@@ -135,17 +160,18 @@ pub struct FpAdd<
     nan: Dff<Bit>,
     infinity: Dff<Bit>,
     sign: Dff<Bit>,
-    zero_sign: Dff<Bit>,
+    minus_1: Dff<Bit>,
     exponent: Dff<Bits<E>>,
+    left: Dff<Bits<5>>,
     sum: Dff<Bits<N>>,
 
     // Cycle 2.
-    distance: [Constant<Bits<E>>; E],
-    limit: [Constant<Bits<N>>; E],
-    budget: Signal<Local, Bits<E>>,
+    top_index: Constant<Bits<8>>,
+    difference: Signal<Local, Bits<N>>,
+    negative: Signal<Local, Bit>,
     normal: Signal<Local, Bits<N>>,
-    raw_exponent: Signal<Local, Bits<X>>,
-    raw_significand: Signal<Local, Bits<N>>,
+    wide_exponent: Signal<Local, Bits<X>>,
+    window: Signal<Local, Bits<N>>,
     result_sign: Signal<Local, Bit>,
     rounder: Rounder<E, S, W, X, R>,
 
@@ -167,18 +193,17 @@ impl<
 {
     fn default() -> Self {
         check_widths!(W, X, R, N);
-        // Row i shifts by 2^(E-1-i), if at least as many bits lead with zeros; a longer shift than the sum never is.
-        let distance = |i: usize| 1usize << (E - 1 - i);
-        let limit = |i: usize| if distance(i) < N { 1u64 << (N - distance(i)) } else { 0 };
+        let bit = |i: usize| Constant::new((1u64 << i).into());
         module! {
-            magnitude_mask = Constant::new(u64::from(format::<E, S>().magnitude(u32::MAX)).into()),
-            distance = std::array::from_fn(|i| Constant::new((distance(i) as u64).into())),
-            limit = std::array::from_fn(|i| Constant::new(limit(i).into()));
+            top_bit = bit(R - 1),
+            second_bit = bit(R - 2),
+            top_index = Constant::new((N as u64 - 1).into());
             a, b, rounder, clocking, valid_i, tag_i, a_i, b_i, subtract_i, rounding_i, valid_o, tag_o, result_o,
-            sign_b, differ, magnitude_a, magnitude_b, swap, high_sign, high_exponent, low_exponent, high_significand,
+            sign_b, differ, swap, a_above_b, b_above_a, distance, high_sign, high_exponent, high_significand,
             low_significand, high, low, align, total,
-            valid_1, tag_1, rounding, nan, infinity, sign, zero_sign, exponent, sum,
-            budget, normal, raw_exponent, raw_significand, result_sign,
+            near, p, q, plus, minus, first, after_plus, after_minus, ends, zeros,
+            valid_1, tag_1, rounding, nan, infinity, sign, minus_1, exponent, left, sum,
+            difference, negative, normal, wide_exponent, window, result_sign,
             valid_2, tag_2, result,
         }
     }
@@ -205,43 +230,75 @@ impl<
             nan,
             infinity,
             sign,
-            zero_sign,
+            minus_1,
             exponent,
+            left,
             sum
         );
         dff_setup!(self, clocking.clk_i, valid_2, tag_2, result);
 
-        // Cycle 1: order the operands by magnitude.
+        // Cycle 1: order the operands by exponent. Both differences are ready when it is known which one counts.
         self.a.word_i.next = self.a_i.val();
         self.b.word_i.next = self.b_i.val();
         self.sign_b.next = self.b.sign_o.val() ^ self.subtract_i.val();
         self.differ.next = self.a.sign_o.val() ^ self.sign_b.val();
-        self.magnitude_a.next = self.a_i.val() & self.magnitude_mask.val();
-        self.magnitude_b.next = self.b_i.val() & self.magnitude_mask.val();
-        self.swap.next = self.magnitude_a.val() < self.magnitude_b.val();
+        self.swap.next = self.a.code_o.val() < self.b.code_o.val();
+        self.a_above_b.next = self.a.exponent_o.val() - self.b.exponent_o.val();
+        self.b_above_a.next = self.b.exponent_o.val() - self.a.exponent_o.val();
+        self.distance.next = self.a_above_b.val();
         self.high_sign.next = self.a.sign_o.val();
         self.high_exponent.next = self.a.exponent_o.val();
-        self.low_exponent.next = self.b.exponent_o.val();
         self.high_significand.next = self.a.significand_o.val();
         self.low_significand.next = self.b.significand_o.val();
         if self.swap.val() {
+            self.distance.next = self.b_above_a.val();
             self.high_sign.next = self.sign_b.val();
             self.high_exponent.next = self.b.exponent_o.val();
-            self.low_exponent.next = self.a.exponent_o.val();
             self.high_significand.next = self.b.significand_o.val();
             self.low_significand.next = self.a.significand_o.val();
         }
 
-        // Align and add.
+        // Align and add; a difference is inverted.
         self.high.next = bit_cast::<N, S>(self.high_significand.val());
         self.high.next = self.high.val() << 3;
+        if self.differ.val() {
+            self.high.next = !self.high.val();
+        }
         self.low.next = bit_cast::<N, S>(self.low_significand.val());
         self.align.value_i.next = self.low.val() << 3;
-        self.align.amount_i.next = self.high_exponent.val() - self.low_exponent.val();
+        self.align.amount_i.next = self.distance.val();
         self.total.next = self.high.val() + self.align.result_o.val();
-        if self.differ.val() {
-            self.total.next = self.high.val() - self.align.result_o.val();
+
+        // Anticipate the leading one: align by one place, as if the exponents differed by at most one.
+        self.near.next = bit_cast::<2, E>(self.a_above_b.val());
+        self.p.next = bit_cast::<R, S>(self.a.significand_o.val());
+        self.q.next = bit_cast::<R, S>(self.b.significand_o.val());
+        if self.near.val() != 3 {
+            self.p.next = self.p.val() << 1;
         }
+        if self.near.val() != 1 {
+            self.q.next = self.q.val() << 1;
+        }
+        self.plus.next = self.p.val() & !self.q.val();
+        self.minus.next = self.q.val() & !self.p.val();
+        self.first.next = self.plus.val() | self.minus.val();
+        self.first.next = !(self.first.val() >> 1);
+        self.after_plus.next = self.plus.val() << 1;
+        self.after_minus.next = self.minus.val() << 1;
+        self.ends.next = (self.first.val()
+            & ((self.plus.val() & !self.after_minus.val()) | (self.minus.val() & !self.after_plus.val())))
+            | (!self.first.val()
+                & ((self.plus.val() & !self.after_plus.val())
+                    | (self.minus.val() & !self.after_minus.val())));
+        // The marker, and a one at the bottom, so that the count means something even for zero.
+        self.ends.next = self.ends.val() | (self.top_bit.val() >> self.high_exponent.val()) | 1;
+        if (self.distance.val() >> 1).any() {
+            self.ends.next = self.ends.val() | self.second_bit.val();
+        }
+        if !self.differ.val() {
+            self.ends.next = self.ends.val() | self.top_bit.val();
+        }
+        self.zeros.value_i.next = self.ends.val();
         if self.clocking.en_i.val() {
             self.valid_1.d.next = self.valid_i.val();
             self.tag_1.d.next = self.tag_i.val();
@@ -251,35 +308,36 @@ impl<
                 | (self.a.infinity_o.val() & self.b.infinity_o.val() & self.differ.val());
             self.infinity.d.next = self.a.infinity_o.val() | self.b.infinity_o.val();
             self.sign.d.next = self.high_sign.val();
-            self.zero_sign.d.next = (self.differ.val() & (self.rounding_i.val() == 2))
-                | (!self.differ.val() & self.high_sign.val());
+            self.minus_1.d.next = self.differ.val();
             self.exponent.d.next = self.high_exponent.val();
+            self.left.d.next = self.zeros.count_o.val();
             self.sum.d.next = self.total.val();
         }
 
         // Cycle 2: normalise as far as the exponent allows.
-        self.budget.next = self.exponent.q.val();
-        self.normal.next = self.sum.q.val();
-        for i in 0..E {
-            if (self.normal.val() < self.limit[i].val()) & (self.budget.val() >= self.distance[i].val()) {
-                self.normal.next = self.normal.val() << self.distance[i].val();
-                self.budget.next = self.budget.val() - self.distance[i].val();
-            }
+        self.difference.next = self.sum.q.val();
+        if self.minus_1.q.val() {
+            self.difference.next = !self.sum.q.val();
         }
-        self.raw_exponent.next = bit_cast::<X, E>(self.budget.val());
-        self.raw_significand.next = self.normal.val() >> 2;
-        if self.normal.val().get_bit(0) | self.normal.val().get_bit(1) {
-            self.raw_significand.next = self.raw_significand.val() | 1;
+        self.negative.next =
+            self.minus_1.q.val() & self.difference.val().get_bit(self.top_index.val().index());
+        self.normal.next = self.difference.val() << self.left.q.val();
+        if self.negative.val() {
+            self.normal.next = !self.normal.val();
         }
+        self.window.next = self.normal.val() >> 2;
+        self.wide_exponent.next = bit_cast::<X, E>(self.exponent.q.val());
 
         // Round.
-        self.result_sign.next = self.sign.q.val();
-        if !self.sum.q.val().any() & !self.infinity.q.val() {
-            self.result_sign.next = self.zero_sign.q.val();
+        self.result_sign.next = self.sign.q.val() ^ self.negative.val();
+        if self.minus_1.q.val() & !self.difference.val().any() {
+            self.result_sign.next = self.rounding.q.val() == 2;
         }
         self.rounder.sign_i.next = self.result_sign.val();
-        self.rounder.exponent_i.next = self.raw_exponent.val() + 1;
-        self.rounder.significand_i.next = bit_cast::<R, N>(self.raw_significand.val());
+        self.rounder.exponent_i.next = self.wide_exponent.val() - bit_cast::<X, 5>(self.left.q.val());
+        self.rounder.window_i.next = bit_cast::<R, N>(self.window.val());
+        self.rounder.lost_i.next = self.normal.val().get_bit(0) | self.normal.val().get_bit(1);
+        self.rounder.complement_i.next = self.negative.val();
         self.rounder.nan_i.next = self.nan.q.val();
         self.rounder.infinity_i.next = self.infinity.q.val();
         self.rounder.rounding_i.next = self.rounding.q.val();

@@ -8,14 +8,17 @@
 //! ```
 //!
 //! A product of normal numbers has its leading one in one of the top two bits; each leading zero of a subnormal operand
-//! moves it down by one more. While the array multiplies, the zeros `z` of both operands are counted and the shift is
-//! fixed: left by `min(z, e - 1)`, or right by `1 - e` if `e < 1`, where the result is subnormal. The last left shift, by
-//! at most one, looks at the product itself.
+//! moves it down by one more. While the arrays multiply, the zeros `z` of the subnormal operand are counted and the shift is
+//! fixed: left by `min(z, e - 1)`, or right by `1 - e` if `e < 1`, where the result is subnormal. Two subnormal operands always have
+//! such a result. That puts the leading one in the top two bits of the rounder's window.
+//!
+//! The two shifters work beside each other, as only one of them ever shifts. What is below the window is seen by a mask
+//! on the product, which does not wait for them.
 //!
 //! | cycle | work |
 //! |---|---|
-//! | 1 | unpack, multiply; count zeros, exponent and shift amounts |
-//! | 2 | shift, round |
+//! | 1 | unpack, multiply with either half of `b`; count zeros, exponent and shift amounts |
+//! | 2 | add the two products, shift, round |
 //!
 //! | corner case | result |
 //! |---|---|
@@ -23,7 +26,8 @@
 //! | infinity and a number that is not zero | infinity of the product's sign |
 //! | zero and a number | zero of the product's sign |
 
-use super::{FpUnpack, LeadingZeros, Rounder, SignificandProduct, StickyShift};
+use super::significand_product::half;
+use super::{FpUnpack, LeadingZeros, Rounder, SignificandProduct};
 use crate::blocks::{ClockEnable, Dff, Valid, dff_setup, module};
 use crate::widths::{check_widths, format};
 use netlist::module::named;
@@ -107,11 +111,19 @@ pub struct FpMul<
     // Cycle 1.
     bias: Constant<Bits<X>>,
     sign_index: Constant<Bits<8>>,
+    hidden_index: Constant<Bits<8>>,
+    half: Constant<Bits<8>>,
+    above_half: Constant<Bits<8>>,
+    window_reach: Constant<Bits<X>>,
     a: FpUnpack<E, S, W>,
     b: FpUnpack<E, S, W>,
-    array: SignificandProduct<S, P>,
-    zeros_a: LeadingZeros<S, X>,
-    zeros_b: LeadingZeros<S, X>,
+    array_lower: SignificandProduct<S, P, false>,
+    array_upper: SignificandProduct<S, P, true>,
+    upper: Signal<Local, Bits<P>>,
+    lower: Signal<Local, Bits<P>>,
+    carried: Signal<Local, Bits<P>>,
+    subnormal: Signal<Local, Bits<S>>,
+    leading: LeadingZeros<S, 5>,
     zeros: Signal<Local, Bits<X>>,
     wide_a: Signal<Local, Bits<X>>,
     wide_b: Signal<Local, Bits<X>>,
@@ -121,8 +133,8 @@ pub struct FpMul<
     room: Signal<Local, Bits<X>>,
     shortfall: Signal<Local, Bits<X>>,
     left_amount: Signal<Local, Bits<X>>,
-    right_amount: Signal<Local, Bits<E>>,
     start_exponent: Signal<Local, Bits<X>>,
+    below_window: Signal<Local, Bits<X>>,
     zero_factor: Signal<Local, Bit>,
     infinite_factor: Signal<Local, Bit>,
 
@@ -134,20 +146,20 @@ pub struct FpMul<
     infinity: Dff<Bit>,
     sign: Dff<Bit>,
     exponent: Dff<Bits<X>>,
-    left: Dff<Bits<X>>,
+    right_shift: Dff<Bit>,
+    left: Dff<Bits<5>>,
     right: Dff<Bits<E>>,
-    product: Dff<Bits<P>>,
+    below: Dff<Bits<X>>,
+    sum: Dff<Bits<P>>,
+    carry: Dff<Bits<S>>,
 
     // Cycle 2.
-    top_index: Constant<Bits<8>>,
-    high_offset: Constant<Bits<8>>,
-    low_mask: Constant<Bits<P>>,
+    ones: Constant<Bits<P>>,
+    window_offset: Constant<Bits<8>>,
+    product: Signal<Local, Bits<P>>,
     normal: Signal<Local, Bits<P>>,
-    raw_exponent: Signal<Local, Bits<X>>,
-    high: Signal<Local, Bits<P>>,
-    low: Signal<Local, Bits<P>>,
-    raw_significand: Signal<Local, Bits<R>>,
-    denormalise: StickyShift<R, E>,
+    window: Signal<Local, Bits<P>>,
+    lost: Signal<Local, Bits<P>>,
     rounder: Rounder<E, S, W, X, R>,
 
     // Outputs.
@@ -173,14 +185,17 @@ impl<
             // One less than the bias, which is the form that the exponent's equation needs.
             bias = Constant::new((format::<E, S>().bias() as u64 - 1).into()),
             sign_index = index(X - 1),
-            top_index = index(P - 1),
-            high_offset = index(P - R),
-            low_mask = Constant::new(((1u64 << (P - R)) - 1).into());
+            hidden_index = index(S - 1),
+            half = index(half(S)),
+            above_half = index(P - half(S)),
+            window_reach = Constant::new(((P - R) as u64).into()),
+            ones = Constant::new(Bits::mask()),
+            window_offset = index(P - R);
             a, b, rounder, clocking, valid_i, tag_i, a_i, b_i, rounding_i, valid_o, tag_o, result_o,
-            array, zeros_a, zeros_b, zeros, wide_a, wide_b, exponent_sum, top_exponent, tiny, room, shortfall,
-            left_amount, right_amount, start_exponent, zero_factor, infinite_factor,
-            valid_1, tag_1, rounding, nan, infinity, sign, exponent, left, right, product,
-            normal, raw_exponent, high, low, raw_significand, denormalise,
+            array_lower, array_upper, upper, lower, carried, subnormal, leading, zeros, wide_a, wide_b, exponent_sum,
+            top_exponent, tiny, room, shortfall, left_amount, start_exponent, below_window, zero_factor, infinite_factor,
+            valid_1, tag_1, rounding, nan, infinity, sign, exponent, right_shift, left, right, below, sum, carry,
+            product, normal, window, lost,
             valid_2, tag_2, result,
         }
     }
@@ -208,24 +223,36 @@ impl<
             infinity,
             sign,
             exponent,
+            right_shift,
             left,
             right,
-            product
+            below,
+            sum,
+            carry
         );
         dff_setup!(self, clocking.clk_i, valid_2, tag_2, result);
 
-        // Cycle 1: multiply.
+        // Cycle 1: multiply. The sum of the two products has a word and a carry, whose bits below `half` are in the word.
         self.a.word_i.next = self.a_i.val();
         self.b.word_i.next = self.b_i.val();
-        self.array.a_i.next = self.a.significand_o.val();
-        self.array.b_i.next = self.b.significand_o.val();
+        self.array_lower.a_i.next = self.a.significand_o.val();
+        self.array_lower.b_i.next = self.b.significand_o.val();
+        self.array_upper.a_i.next = self.a.significand_o.val();
+        self.array_upper.b_i.next = self.b.significand_o.val();
+        self.upper.next = self.array_upper.product_o.val() << self.half.val();
+        self.lower.next = self.array_lower.product_o.val() << self.above_half.val();
+        self.lower.next = self.lower.val() >> self.above_half.val();
+        self.carried.next = self.array_lower.product_o.val() >> self.half.val();
         self.zero_factor.next = !self.a.significand_o.val().any() | !self.b.significand_o.val().any();
         self.infinite_factor.next = self.a.infinity_o.val() | self.b.infinity_o.val();
 
         // Meanwhile, the exponent of the product's top bit, and how far the product has to be shifted.
-        self.zeros_a.value_i.next = self.a.significand_o.val();
-        self.zeros_b.value_i.next = self.b.significand_o.val();
-        self.zeros.next = self.zeros_a.count_o.val() + self.zeros_b.count_o.val();
+        self.subnormal.next = self.a.significand_o.val();
+        if self.a.significand_o.val().get_bit(self.hidden_index.val().index()) {
+            self.subnormal.next = self.b.significand_o.val();
+        }
+        self.leading.value_i.next = self.subnormal.val();
+        self.zeros.next = bit_cast::<X, 5>(self.leading.count_o.val());
         self.wide_a.next = bit_cast::<X, E>(self.a.exponent_o.val());
         self.wide_b.next = bit_cast::<X, E>(self.b.exponent_o.val());
         self.exponent_sum.next = self.wide_a.val() + self.wide_b.val();
@@ -235,15 +262,19 @@ impl<
         self.room.next = self.top_exponent.val() - 1;
         self.shortfall.next = 1 - self.top_exponent.val();
         self.left_amount.next = self.zeros.val();
+        self.start_exponent.next = self.room.val() - self.zeros.val();
         if self.room.val() < self.zeros.val() {
             self.left_amount.next = self.room.val();
+            self.start_exponent.next = 0.into();
         }
-        self.start_exponent.next = self.top_exponent.val() - self.left_amount.val();
-        self.right_amount.next = 0.into();
+        // Nothing is below a window that a shift to the left takes to the product's end.
+        self.below_window.next = self.window_reach.val() - self.left_amount.val();
+        if self.below_window.val().get_bit(self.sign_index.val().index()) {
+            self.below_window.next = 0.into();
+        }
         if self.tiny.val() {
-            self.left_amount.next = 0.into();
-            self.start_exponent.next = 1.into();
-            self.right_amount.next = bit_cast::<E, X>(self.shortfall.val());
+            self.start_exponent.next = 0.into();
+            self.below_window.next = self.window_reach.val() + self.shortfall.val();
         }
         if self.clocking.en_i.val() {
             self.valid_1.d.next = self.valid_i.val();
@@ -255,31 +286,32 @@ impl<
             self.infinity.d.next = self.infinite_factor.val();
             self.sign.d.next = self.a.sign_o.val() ^ self.b.sign_o.val();
             self.exponent.d.next = self.start_exponent.val();
-            self.left.d.next = self.left_amount.val();
-            self.right.d.next = self.right_amount.val();
-            self.product.d.next = self.array.product_o.val();
+            self.right_shift.d.next = self.tiny.val();
+            self.left.d.next = bit_cast::<5, X>(self.left_amount.val());
+            self.right.d.next = bit_cast::<E, X>(self.shortfall.val());
+            self.below.d.next = self.below_window.val();
+            self.sum.d.next = self.upper.val() | self.lower.val();
+            self.carry.d.next = bit_cast::<S, P>(self.carried.val());
         }
 
-        // Cycle 2: shift.
-        self.normal.next = self.product.q.val() << self.left.q.val();
-        self.raw_exponent.next = self.exponent.q.val();
-        if !self.normal.val().get_bit(self.top_index.val().index()) & (self.exponent.q.val() != 1) {
-            self.normal.next = self.normal.val() << 1;
-            self.raw_exponent.next = self.exponent.q.val() - 1;
+        // Cycle 2: add, and shift either way.
+        self.product.next = bit_cast::<P, S>(self.carry.q.val());
+        self.product.next = self.product.val() << self.half.val();
+        self.product.next = self.sum.q.val() + self.product.val();
+        self.normal.next = self.product.val() << self.left.q.val();
+        self.window.next = self.normal.val() >> self.window_offset.val();
+        if self.right_shift.q.val() {
+            self.window.next = self.product.val() >> self.window_offset.val();
+            self.window.next = self.window.val() >> self.right.q.val();
         }
-        self.high.next = self.normal.val() >> self.high_offset.val();
-        self.low.next = self.normal.val() & self.low_mask.val();
-        self.raw_significand.next = bit_cast::<R, P>(self.high.val());
-        if self.low.val().any() {
-            self.raw_significand.next = self.raw_significand.val() | 1;
-        }
-        self.denormalise.value_i.next = self.raw_significand.val();
-        self.denormalise.amount_i.next = self.right.q.val();
+        self.lost.next = self.product.val() & !(self.ones.val() << self.below.q.val());
 
         // Round.
         self.rounder.sign_i.next = self.sign.q.val();
-        self.rounder.exponent_i.next = self.raw_exponent.val();
-        self.rounder.significand_i.next = self.denormalise.result_o.val();
+        self.rounder.exponent_i.next = self.exponent.q.val();
+        self.rounder.window_i.next = bit_cast::<R, P>(self.window.val());
+        self.rounder.lost_i.next = self.lost.val().any();
+        self.rounder.complement_i.next = false;
         self.rounder.nan_i.next = self.nan.q.val();
         self.rounder.infinity_i.next = self.infinity.q.val();
         self.rounder.rounding_i.next = self.rounding.q.val();

@@ -13,17 +13,19 @@ use rust_hdl_core::prelude::*;
 /// ```text
 ///            +------------+
 ///            |          1 |---> sign_o
-/// word_i --->| W        E |---> exponent_o
+/// word_i --->| W        E |---> code_o, exponent_o
 ///            |  FpUnpack  |
 ///            |          S |---> significand_o
 ///            |          1 |---> nan_o, infinity_o
 ///            +------------+
 /// ```
-/// Combinational. For NaN and infinity, exponent and significand mean nothing.
+/// Combinational. `code_o` is the exponent as encoded, which is ready before `exponent_o`. For NaN and infinity, exponent and
+/// significand mean nothing.
 #[derive(LogicBlock, Clone, Debug)]
 pub(super) struct FpUnpack<const E: usize, const S: usize, const W: usize> {
     pub word_i: Signal<In, Bits<W>>,
     pub sign_o: Signal<Out, Bit>,
+    pub code_o: Signal<Out, Bits<E>>,
     pub exponent_o: Signal<Out, Bits<E>>,
     pub significand_o: Signal<Out, Bits<S>>,
     pub nan_o: Signal<Out, Bit>,
@@ -52,7 +54,7 @@ impl<const E: usize, const S: usize, const W: usize> Default for FpUnpack<E, S, 
             fraction_mask = Constant::new((hidden_bit - 1).into()),
             hidden_bit = Constant::new(hidden_bit.into()),
             special_exponent = Constant::new(Bits::mask());
-            word_i, sign_o, exponent_o, significand_o, nan_o, infinity_o, shifted, code, exponent, fraction,
+            word_i, sign_o, code_o, exponent_o, significand_o, nan_o, infinity_o, shifted, code, exponent, fraction,
             significand, special,
         }
     }
@@ -73,6 +75,7 @@ impl<const E: usize, const S: usize, const W: usize> Logic for FpUnpack<E, S, W>
         }
 
         self.sign_o.next = self.word_i.val().get_bit(self.sign_index.val().index());
+        self.code_o.next = self.code.val();
         self.exponent_o.next = self.exponent.val();
         self.significand_o.next = self.significand.val();
         self.nan_o.next = self.special.val() & self.fraction.val().any();

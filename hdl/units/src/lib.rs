@@ -56,7 +56,7 @@ pub use fp_cmp::FpCmp;
 pub use fp_min_max::FpMinMax;
 pub use fp_mul::FpMul;
 pub use int_add::IntAdd;
-pub use significand_product::SignificandProduct;
+pub use significand_product::{SignificandProduct, half};
 
 /// The source file of each kind of module, for what is exported with its comments.
 pub const SOURCES: &[(&str, &str)] = &[

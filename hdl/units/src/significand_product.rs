@@ -1,16 +1,18 @@
-//! The multiplier array: product of two significands.
+//! The multiplier arrays: the product of a significand with one half of another.
 //!
-//! With `a = a_h * 2^16 + a_l` and `b` likewise, `a * b = a_h b_h * 2^32 + (a_h b_l + a_l b_h) * 2^16 + a_l b_l`; each
-//! partial product is one of `rust-hdl`'s 16 x 16 bits. A significand of 16 bits or fewer has no high part, and
-//! three of the four products fold away.
+//! With `b = b_upper * 2^H + b_lower` and `H` half the bits, rounded up, `a * b = a b_upper * 2^H + a b_lower`. Either array has half
+//! the rows of a whole one, which is what fits in a cycle; whoever uses the two adds their products in the next.
 //!
-//! A leaf module of its own, so that a proof can treat it as a black box and synthesis can choose its multiplier.
+//! A leaf module of its own, so that a proof can treat it as a black box and synthesis can choose its multiplier. `rust-hdl`
+//! multiplies 16 by 16 bits only, so that this module has its kernel written twice: for simulation, and as the syntax tree
+//! that other kernels get from the macro.
 
 use crate::widths::derived_width;
 use netlist::module::named;
+use rust_hdl_core::ast::{VerilogExpression, VerilogLiteral, VerilogOp, VerilogStatement};
 use rust_hdl_core::prelude::*;
 
-/// `product = a * b`.
+/// `product = a * b_lower`, or with `UPPER` `a * b_upper`.
 ///
 /// ```text
 ///        +--------------------+
@@ -19,58 +21,51 @@ use rust_hdl_core::prelude::*;
 ///        | SignificandProduct |
 ///        +--------------------+
 /// ```
-/// Combinational, unsigned, exact: `P = 2 S`, `S <= 24`.
+/// Combinational, unsigned, exact: `P = 2 S`, `S <= 24`. The product has at most `S +` [`half`]`(S)` bits.
 #[derive(LogicBlock, Default, Clone, Debug)]
-pub struct SignificandProduct<const S: usize, const P: usize> {
+pub struct SignificandProduct<const S: usize, const P: usize, const UPPER: bool> {
     /// First factor.
     pub a_i: Signal<In, Bits<S>>,
-    /// Second factor.
+    /// Second factor, of which one half counts.
     pub b_i: Signal<In, Bits<S>>,
     /// Product.
     pub product_o: Signal<Out, Bits<P>>,
-    a_high: Signal<Local, Bits<S>>,
-    b_high: Signal<Local, Bits<S>>,
-    a_0: Signal<Local, Bits<16>>,
-    a_1: Signal<Local, Bits<16>>,
-    b_0: Signal<Local, Bits<16>>,
-    b_1: Signal<Local, Bits<16>>,
-    low: Signal<Local, Bits<32>>,
-    cross_0: Signal<Local, Bits<32>>,
-    cross_1: Signal<Local, Bits<32>>,
-    middle: Signal<Local, Bits<32>>,
-    high: Signal<Local, Bits<32>>,
-    middle_wide: Signal<Local, Bits<P>>,
-    high_wide: Signal<Local, Bits<P>>,
-    sum: Signal<Local, Bits<P>>,
 }
 
-impl<const S: usize, const P: usize> Logic for SignificandProduct<S, P> {
-    #[hdl_gen]
+/// Bits of the lower half of a word of `bits` bits.
+#[must_use]
+pub const fn half(bits: usize) -> usize {
+    bits.div_ceil(2)
+}
+
+impl<const S: usize, const P: usize, const UPPER: bool> SignificandProduct<S, P, UPPER> {
+    /// Where the half begins, and how many bits it has.
+    const HALF: (usize, usize) = if UPPER { (half(S), S - half(S)) } else { (0, half(S)) };
+}
+
+impl<const S: usize, const P: usize, const UPPER: bool> Logic for SignificandProduct<S, P, UPPER> {
     fn update(&mut self) {
-        self.a_high.next = self.a_i.val() >> 16;
-        self.b_high.next = self.b_i.val() >> 16;
-        self.a_0.next = bit_cast::<16, S>(self.a_i.val());
-        self.b_0.next = bit_cast::<16, S>(self.b_i.val());
-        self.a_1.next = bit_cast::<16, S>(self.a_high.val());
-        self.b_1.next = bit_cast::<16, S>(self.b_high.val());
+        let (low, width) = Self::HALF;
+        let factor = self.b_i.val().to_u64() >> low & ((1 << width) - 1);
+        self.product_o.next = (self.a_i.val().to_u64() * factor).into();
+    }
 
-        self.low.next = self.a_0.val() * self.b_0.val();
-        self.cross_0.next = self.a_0.val() * self.b_1.val();
-        self.cross_1.next = self.a_1.val() * self.b_0.val();
-        self.high.next = self.a_1.val() * self.b_1.val();
-        // Each cross product has at most 16 + 8 bits, so that their sum fits.
-        self.middle.next = self.cross_0.val() + self.cross_1.val();
+    fn connect(&mut self) {
+        self.product_o.connect();
+    }
 
-        self.middle_wide.next = bit_cast::<P, 32>(self.middle.val());
-        self.middle_wide.next = self.middle_wide.val() << 16;
-        self.high_wide.next = bit_cast::<P, 32>(self.high.val());
-        self.high_wide.next = self.high_wide.val() << 32;
-        self.sum.next = self.middle_wide.val() + self.high_wide.val();
-        self.product_o.next = self.sum.val() + bit_cast::<P, 32>(self.low.val());
+    fn hdl(&self) -> Verilog {
+        use VerilogExpression::{Binary, Cast, Literal, Signal, Slice};
+        let signal = |name: &str| Box::new(Signal(name.to_owned()));
+        let (low, width) = Self::HALF;
+        let low = Box::new(Literal(VerilogLiteral::from(low as u64)));
+        let factor = Cast(Box::new(Slice(signal("b_i"), width, low)), S);
+        let product = Binary(signal("a_i"), VerilogOp::Mul, Box::new(factor));
+        Verilog::Combinatorial(vec![VerilogStatement::Assignment(*signal("product_o"), product)])
     }
 
     fn timing(&self) -> Vec<TimingInfo> {
         const { assert!(P == derived_width!(P, 0, S) && S <= 24) };
-        named("significand_product", &format!("w{S}"))
+        named("significand_product", &format!("w{S}_{}", if UPPER { "upper" } else { "lower" }))
     }
 }

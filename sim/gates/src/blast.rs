@@ -7,16 +7,6 @@ use super::aig::{Aig, Lit, Origin};
 use super::multiply;
 use super::words::{self, Adder, Selection, Structures};
 
-/// What the multiplier arrays of a design become.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Arrays {
-    /// One product each, of the whole operands.
-    #[default]
-    Whole,
-    /// The operations as written: four products of half words and their sums.
-    AsWritten,
-}
-
 /// A kind of module that is left out: its result becomes inputs, and its operands `a_i` and `b_i` become outputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cut {
@@ -27,20 +17,16 @@ pub struct Cut {
 }
 
 /// The multiplier arrays, which a proof cannot look into.
-pub const ARRAYS: &[Cut] = &[ARRAY];
+pub const ARRAYS: &[Cut] = &[Cut { kind: MULTIPLIER_KINDS[0], result: "product_o" }];
 /// The adders and multipliers of a pipeline; the rest is its control.
 pub const ARITHMETIC: &[Cut] =
     &[Cut { kind: "fp_add", result: "result_o" }, Cut { kind: "fp_mul", result: "result_o" }];
-
-const ARRAY: Cut = Cut { kind: MULTIPLIER_KINDS[0], result: "product_o" };
 
 /// How a design becomes gates.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
     /// Structures of arithmetic.
     pub structures: Structures,
-    /// The multiplier arrays, unless they are cut.
-    pub arrays: Arrays,
     /// Modules that are left out.
     pub cuts: &'static [Cut],
     /// Whether each execution unit is a region of its own, so that its gates can be told from those around it.
@@ -96,7 +82,6 @@ struct Product {
     operands: [NodeId; 2],
     scope: ScopeId,
     result: &'static str,
-    is_cut: bool,
 }
 
 struct Blaster<'n> {
@@ -119,11 +104,8 @@ impl<'n> Blaster<'n> {
             _ => 0,
         };
         let mut products = vec![None; flat.nodes.len()];
-        if options.arrays == Arrays::Whole {
-            find_products(design, flat, ARRAY, false, &mut products);
-        }
         for &cut in options.cuts {
-            find_products(design, flat, cut, true, &mut products);
+            find_products(design, flat, cut, &mut products);
         }
         let blasted = Blasted {
             aig: Aig::default(),
@@ -251,11 +233,7 @@ impl<'n> Blaster<'n> {
     }
 
     fn product(&mut self, width: u32, product: Product, cuts: &mut Vec<Product>) -> Vec<Lit> {
-        let Blasted { aig, words, .. } = &mut self.blasted;
-        if !product.is_cut {
-            let [a, b] = product.operands.map(|operand| words[operand.index()].as_slice());
-            return multiply::product(aig, self.options.structures, a, b, width as usize);
-        }
+        let aig = &mut self.blasted.aig;
         cuts.push(product);
         let path = &self.flat.scopes[product.scope as usize].path;
         (0..width)
@@ -373,7 +351,7 @@ fn sum(aig: &mut Aig, adder: Adder, a: &[Lit], b: &[Lit]) -> Vec<Lit> {
 }
 
 /// Notes the results of a kind of module, by node.
-fn find_products(design: &Design, flat: &Flat, cut: Cut, is_cut: bool, products: &mut [Option<Product>]) {
+fn find_products(design: &Design, flat: &Flat, cut: Cut, products: &mut [Option<Product>]) {
     for (scope, instance) in (0..).zip(&flat.scopes) {
         if design.module(instance.module).kind != cut.kind {
             continue;
@@ -384,7 +362,7 @@ fn find_products(design: &Design, flat: &Flat, cut: Cut, is_cut: bool, products:
         };
         // A module with an operand or result that is constant is left as written.
         if let (Some(a), Some(b), Some(result)) = (port("a_i"), port("b_i"), port(cut.result)) {
-            products[result.index()] = Some(Product { operands: [a, b], scope, result: cut.result, is_cut });
+            products[result.index()] = Some(Product { operands: [a, b], scope, result: cut.result });
         }
     }
 }

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::reference::pipelines::{Claim, Control};
 use super::reference::{exact, order};
 use gates::aig::{Aig, Lit, Node};
-use gates::blast::{ARITHMETIC, Arrays, Cut, Options, blast};
+use gates::blast::{ARITHMETIC, Cut, Options, blast};
 use gates::prove::{CombinationalError, Limits, Proof, combinational, copy, prove};
 use gates::words::{Adder, Multiplier, Structures};
 
@@ -144,7 +144,6 @@ pub(super) fn function(design: &Design, cuts: &'static [Cut]) -> Result<Aig, The
             multiplier: Multiplier::Tree,
             ..Structures::default()
         },
-        arrays: Arrays::Whole,
         cuts,
         keep_units: false,
     };

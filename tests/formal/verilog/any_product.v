@@ -1,21 +1,21 @@
-// Any word that a product of two significands can be, and more: any word from the product of the operands' leading
-// ones to four times that, or zero if an operand is zero. Nothing drives `free`, so it becomes an input of the proof.
-module `NAME #(parameter S = `S) (
+// Any word that a product of two significands can be, and more. Of the second factor, W bits from LOW upwards count; if their
+// leading one is at place t, the product is from a * 2^t to a * (2^(t+1) - 1). Nothing drives `free`, so it becomes an
+// input of the proof.
+module `NAME #(parameter S = `S, LOW = `LOW, W = `W) (
     input  wire [S-1:0]   a_i,
     input  wire [S-1:0]   b_i,
     output wire [2*S-1:0] product_o
 );
     wire [2*S-1:0] free;
-    integer i, top_a, top_b;
+    wire [W-1:0] b = b_i[LOW+W-1:LOW];
+    integer i, top_b;
     always @* begin
-        top_a = 0;
         top_b = 0;
-        for (i = 0; i < S; i = i + 1) begin
-            if (a_i[i]) top_a = i;
-            if (b_i[i]) top_b = i;
-        end
+        for (i = 0; i < W; i = i + 1)
+            if (b[i]) top_b = i;
     end
-    wire [2*S+1:0] least = 1 << (top_a + top_b);
-    wire possible = free >= least && free < least << 2;
-    assign product_o = a_i == 0 || b_i == 0 ? 0 : possible ? free : least;
+    wire [2*S-1:0] least = a_i << top_b;
+    wire [2*S-1:0] most = (least << 1) - a_i;
+    wire possible = free >= least && free <= most;
+    assign product_o = b == 0 ? 0 : possible ? free : least;
 endmodule

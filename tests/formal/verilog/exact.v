@@ -119,10 +119,10 @@ module exact_fp_mul #(parameter E = 4, parameter S = 4) (
     end
 endmodule
 
-module reference_product #(parameter S = 4) (
+module reference_product #(parameter S = 4, LOW = 0, W = 4) (
     input  wire [S-1:0]   a_i,
     input  wire [S-1:0]   b_i,
     output wire [2*S-1:0] product_o
 );
-    assign product_o = a_i * b_i;
+    assign product_o = a_i * b_i[LOW+W-1:LOW];
 endmodule

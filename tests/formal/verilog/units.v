@@ -94,7 +94,8 @@ module reference_fp_add #(parameter E = 8, parameter S = 24) (
     end
 endmodule
 
-// The product of the significands comes from `reference_product`, a module of its own that a proof may replace.
+// The products of the first significand with both halves of the second one come from `reference_product`, a module of its own
+// that a proof may replace. It takes W bits of the second factor from LOW upwards.
 module reference_fp_mul #(parameter E = 8, parameter S = 24) (
     input  wire [E+S-1:0] a_i,
     input  wire [E+S-1:0] b_i,
@@ -110,10 +111,13 @@ module reference_fp_mul #(parameter E = 8, parameter S = 24) (
     wire sign = a_i[W-1] ^ b_i[W-1];
     wire [E-1:0] code_a = a_i[W-2:S-1];
     wire [E-1:0] code_b = b_i[W-2:S-1];
-    wire [P-1:0] product;
-    reference_product #(S) array (
-        .a_i({code_a != 0, a_i[S-2:0]}), .b_i({code_b != 0, b_i[S-2:0]}), .product_o(product)
-    );
+    localparam H = S - S / 2;
+    wire [S-1:0] significand_a = {code_a != 0, a_i[S-2:0]};
+    wire [S-1:0] significand_b = {code_b != 0, b_i[S-2:0]};
+    wire [P-1:0] lower, upper;
+    reference_product #(S, 0, H) array_lower (.a_i(significand_a), .b_i(significand_b), .product_o(lower));
+    reference_product #(S, H, S - H) array_upper (.a_i(significand_a), .b_i(significand_b), .product_o(upper));
+    wire [P-1:0] product = lower + (upper << H);
 
     // `top` is the biased exponent of the product's upper bit.
     integer i, top, zeros, exponent;

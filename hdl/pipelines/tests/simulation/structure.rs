@@ -20,7 +20,8 @@ fn units_pass_the_structural_checks() {
     check(binary32::FpMinMax::default());
     check(binary32::FpCmp::default());
     check(IntAdd::<32, 1>::default());
-    check(SignificandProduct::<24, 48>::default());
+    check(SignificandProduct::<24, 48, false>::default());
+    check(SignificandProduct::<24, 48, true>::default());
     check(binary16::FpAdd::default());
     check(e4m3::FpMul::default());
 }

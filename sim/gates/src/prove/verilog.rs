@@ -10,7 +10,7 @@ use netlist::{Design, ElaborateError, flatten};
 use super::miter::{Miter, MiterError};
 use crate::aig::Aig;
 use crate::aiger::{self, AigerError};
-use crate::blast::{ARRAYS, Arrays, Options, blast};
+use crate::blast::{ARRAYS, Options, blast};
 use crate::words::{Adder, Multiplier, Structures};
 
 /// Why exported Verilog cannot be compared.
@@ -68,7 +68,6 @@ pub fn compared(design: &Design, source: &str, folder: &Path) -> Result<Miter, V
             multiplier: Multiplier::Tree,
             ..Structures::default()
         },
-        arrays: Arrays::AsWritten,
         cuts: ARRAYS,
         keep_units: false,
     };

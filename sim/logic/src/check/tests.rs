@@ -60,7 +60,7 @@ fn faults_are_seen_in_volume() {
     let with = |other: &str| Replace(other.into());
     let faults = [
         (Top::FpAdd, "sticky_shift", "sticky", Constant(0)),
-        (Top::FpMul, "fp_mul", "left_amount_2", with("zeros")),
+        (Top::FpMul, "fp_mul", "left_amount", with("zeros")),
         (Top::FpMinMax, "fp_min_max", "propagate_nan_i", Invert),
         (Top::FpCmp, "fp_cmp", "any_magnitude", Constant(1)),
         (Top::IntAdd, "int_add", "sum", Change::Delay),

@@ -2,7 +2,7 @@
 
 use equivalence::Stimulus;
 use gates::aiger::{self, Form};
-use gates::blast::{Arrays, Options, blast};
+use gates::blast::{Options, blast};
 use gates::simulate::Simulator;
 use gates::words::{Adder, Multiplier, Selection, Structures};
 use netlist::{Evaluator, flatten};
@@ -65,12 +65,10 @@ fn units_in_every_format() {
 fn every_structure() {
     for adder in [Adder::Ripple, Adder::BrentKung, Adder::Sklansky] {
         for multiplier in [Multiplier::Tree, Multiplier::Booth] {
-            for arrays in [Arrays::Whole, Arrays::AsWritten] {
-                let structures = Structures { adder, multiplier, selection: Selection::Chain };
-                let options = Options { structures, arrays, keep_units: true, cuts: &[] };
-                for top in [Top::FpAdd, Top::FpMul, Top::DualSplit] {
-                    compare(top, StandardFormat::Binary32, options, 60);
-                }
+            let structures = Structures { adder, multiplier, selection: Selection::Chain };
+            let options = Options { structures, keep_units: true, cuts: &[] };
+            for top in [Top::FpAdd, Top::FpMul, Top::DualSplit] {
+                compare(top, StandardFormat::Binary32, options, 60);
             }
         }
     }

@@ -170,8 +170,10 @@ fn the_proofs_find_faults() {
     let faults = [
         (Top::FpAdd, "sticky_shift", "sticky", Change::Constant(0)),
         (Top::FpAdd, "rounder", "to_infinity", Change::Constant(1)),
+        (Top::FpAdd, "fp_add", "ends_2", Change::Replace("ends_1".to_owned())),
         (Top::FpMul, "fp_mul", "zeros", Change::Increment),
-        (Top::FpMul, "fp_mul", "raw_significand", Change::Replace("raw_significand_1".to_owned())),
+        (Top::FpMul, "fp_mul", "product", Change::Replace("sum".to_owned())),
+        (Top::FpMul, "fp_mul", "lost", Change::Constant(0)),
         (Top::FpCmp, "fp_cmp", "any_magnitude", Change::Constant(1)),
         (Top::FpMinMax, "fp_min_max", "chosen", Change::Replace("chosen_2".to_owned())),
         (Top::DualSplit, "dual_split_fold", "near_offset", Change::SwapOperands),

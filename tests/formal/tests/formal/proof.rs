@@ -14,7 +14,7 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/verilog");
 pub enum LeftOut {
     /// Nothing.
     Nothing,
-    /// The multiplier's array. Its result is any word that a product can be.
+    /// The multiplier's arrays. Their results are any words that products can be.
     Products,
     /// Adders and multipliers.
     Arithmetic,
@@ -92,9 +92,16 @@ impl Proof<'_> {
         }
         read("stubs.v sides.v");
         if self.left_out == LeftOut::Products {
-            for name in self.boxes().map(|module| &*module.name).chain(["reference_product"]) {
-                let bits = self.format.format().significand_bits();
-                read(&format!("-D NAME={name} -D S={bits} {FOLDER}/any_product.v"));
+            let bits = self.format.format().significand_bits();
+            let half = bits.div_ceil(2);
+            let mut any = |name: &str, low: u32, width: u32| {
+                let size = format!("-D S={bits} -D LOW={low} -D W={width}");
+                read(&format!("-D NAME={name} {size} {FOLDER}/any_product.v"));
+            };
+            any("reference_product", 0, bits);
+            for array in self.boxes() {
+                let is_upper = array.generics.ends_with("upper");
+                any(&array.name, if is_upper { half } else { 0 }, if is_upper { bits - half } else { half });
             }
         }
         let cut = match self.operands().as_slice() {
@@ -105,8 +112,8 @@ impl Proof<'_> {
         for side in ["gold", "gate"] {
             let _ = write!(
                 script,
-                "design -load both\nhierarchy -top {side}\nproc\nflatten\n{cut}opt_expr -mux_undef -fine\nopt_clean\n\
-                 techmap -map %map\nopt\ntechmap\nopt -fast\naigmap\nwrite_aiger -symbols {side}.aig\n"
+                "design -load both\nhierarchy -top {side}\nproc\nflatten\nsetattr -unset init w:*\n{cut}opt_expr -mux_undef -fine\n\
+                 opt_clean\ntechmap -map %map\nopt\ntechmap\nopt -fast\naigmap\nwrite_aiger -symbols {side}.aig\n"
             );
         }
         script
