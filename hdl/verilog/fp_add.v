@@ -18,7 +18,7 @@
 module fp_add_fp_unpack (
     input  wire [31:0] word_i,
     output wire        sign_o,
-    output wire [7:0]  code_o,
+    output wire [7:0]  encoded_exponent_o,
     output wire [7:0]  exponent_o,
     output wire [23:0] significand_o,
     output wire        nan_o,
@@ -26,18 +26,18 @@ module fp_add_fp_unpack (
 );
 
     // Logic
-    wire [7:0] code = word_i[30:23];
+    wire [7:0] encoded_exponent = word_i[30:23];
     wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
-    wire special = code == 8'hff;
+    wire special = encoded_exponent == 8'hff;
     wire [23:0] significand_1 = fraction | 24'h800000;
-    wire significand_if = |code;
-    wire [7:0] exponent = significand_if ? code : 8'd1;
+    wire significand_if = |encoded_exponent;
+    wire [7:0] exponent = significand_if ? encoded_exponent : 8'd1;
     wire [23:0] significand = significand_if ? significand_1 : fraction;
     wire infinity_o_part = |fraction;
 
     // Outputs
     assign sign_o = word_i[31];
-    assign code_o = code;
+    assign encoded_exponent_o = encoded_exponent;
     assign exponent_o = exponent;
     assign significand_o = significand;
     assign nan_o = special & infinity_o_part;
@@ -289,8 +289,8 @@ module fp_add (
     // Outputs of instances
     wire b_sign_o;
     wire a_sign_o;
-    wire [7:0] a_code_o;
-    wire [7:0] b_code_o;
+    wire [7:0] a_encoded_exponent_o;
+    wire [7:0] b_encoded_exponent_o;
     wire [7:0] a_exponent_o;
     wire [7:0] b_exponent_o;
     wire [23:0] a_significand_o;
@@ -307,7 +307,7 @@ module fp_add (
     // Cycle 1: order the operands by exponent. Both differences are ready when it is known which one counts.
     wire sign_b = b_sign_o ^ subtract_i;
     wire differ = a_sign_o ^ sign_b;
-    wire swap = a_code_o < b_code_o;
+    wire swap = a_encoded_exponent_o < b_encoded_exponent_o;
     wire [7:0] a_above_b = a_exponent_o - b_exponent_o;
     wire [7:0] b_above_a = b_exponent_o - a_exponent_o;
     wire [7:0] distance = swap ? b_above_a : a_above_b;
@@ -379,22 +379,22 @@ module fp_add (
     // Instances
     // Cycle 1: order the operands by exponent. Both differences are ready when it is known which one counts.
     fp_add_fp_unpack a (
-        .word_i        (a_i),
-        .sign_o        (a_sign_o),
-        .code_o        (a_code_o),
-        .exponent_o    (a_exponent_o),
-        .significand_o (a_significand_o),
-        .nan_o         (a_nan_o),
-        .infinity_o    (a_infinity_o)
+        .word_i             (a_i),
+        .sign_o             (a_sign_o),
+        .encoded_exponent_o (a_encoded_exponent_o),
+        .exponent_o         (a_exponent_o),
+        .significand_o      (a_significand_o),
+        .nan_o              (a_nan_o),
+        .infinity_o         (a_infinity_o)
     );
     fp_add_fp_unpack b (
-        .word_i        (b_i),
-        .sign_o        (b_sign_o),
-        .code_o        (b_code_o),
-        .exponent_o    (b_exponent_o),
-        .significand_o (b_significand_o),
-        .nan_o         (b_nan_o),
-        .infinity_o    (b_infinity_o)
+        .word_i             (b_i),
+        .sign_o             (b_sign_o),
+        .encoded_exponent_o (b_encoded_exponent_o),
+        .exponent_o         (b_exponent_o),
+        .significand_o      (b_significand_o),
+        .nan_o              (b_nan_o),
+        .infinity_o         (b_infinity_o)
     );
     // Align and add; a difference is inverted.
     fp_add_sticky_shift align (

@@ -25,12 +25,12 @@ module fp_mul_fp_unpack (
 );
 
     // Logic
-    wire [7:0] code = word_i[30:23];
+    wire [7:0] encoded_exponent = word_i[30:23];
     wire [23:0] fraction = word_i[23:0] & 24'h7fffff;
-    wire special = code == 8'hff;
+    wire special = encoded_exponent == 8'hff;
     wire [23:0] significand_1 = fraction | 24'h800000;
-    wire significand_if = |code;
-    wire [7:0] exponent = significand_if ? code : 8'd1;
+    wire significand_if = |encoded_exponent;
+    wire [7:0] exponent = significand_if ? encoded_exponent : 8'd1;
     wire [23:0] significand = significand_if ? significand_1 : fraction;
     wire infinity_o_part = |fraction;
 

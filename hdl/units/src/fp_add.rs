@@ -242,7 +242,7 @@ impl<
         self.b.word_i.next = self.b_i.val();
         self.sign_b.next = self.b.sign_o.val() ^ self.subtract_i.val();
         self.differ.next = self.a.sign_o.val() ^ self.sign_b.val();
-        self.swap.next = self.a.code_o.val() < self.b.code_o.val();
+        self.swap.next = self.a.encoded_exponent_o.val() < self.b.encoded_exponent_o.val();
         self.a_above_b.next = self.a.exponent_o.val() - self.b.exponent_o.val();
         self.b_above_a.next = self.b.exponent_o.val() - self.a.exponent_o.val();
         self.distance.next = self.a_above_b.val();

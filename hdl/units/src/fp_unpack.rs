@@ -13,19 +13,19 @@ use rust_hdl_core::prelude::*;
 /// ```text
 ///            +------------+
 ///            |          1 |---> sign_o
-/// word_i --->| W        E |---> code_o, exponent_o
+/// word_i --->| W        E |---> encoded_exponent_o, exponent_o
 ///            |  FpUnpack  |
 ///            |          S |---> significand_o
 ///            |          1 |---> nan_o, infinity_o
 ///            +------------+
 /// ```
-/// Combinational. `code_o` is the exponent as encoded, which is ready before `exponent_o`. For NaN and infinity, exponent and
+/// Combinational. `encoded_exponent_o` is ready before `exponent_o`, which is 1 for a subnormal. For NaN and infinity, exponent and
 /// significand mean nothing.
 #[derive(LogicBlock, Clone, Debug)]
 pub(super) struct FpUnpack<const E: usize, const S: usize, const W: usize> {
     pub word_i: Signal<In, Bits<W>>,
     pub sign_o: Signal<Out, Bit>,
-    pub code_o: Signal<Out, Bits<E>>,
+    pub encoded_exponent_o: Signal<Out, Bits<E>>,
     pub exponent_o: Signal<Out, Bits<E>>,
     pub significand_o: Signal<Out, Bits<S>>,
     pub nan_o: Signal<Out, Bit>,
@@ -36,7 +36,7 @@ pub(super) struct FpUnpack<const E: usize, const S: usize, const W: usize> {
     hidden_bit: Constant<Bits<S>>,
     special_exponent: Constant<Bits<E>>,
     shifted: Signal<Local, Bits<W>>,
-    code: Signal<Local, Bits<E>>,
+    encoded_exponent: Signal<Local, Bits<E>>,
     exponent: Signal<Local, Bits<E>>,
     significand: Signal<Local, Bits<S>>,
     fraction: Signal<Local, Bits<S>>,
@@ -54,7 +54,7 @@ impl<const E: usize, const S: usize, const W: usize> Default for FpUnpack<E, S, 
             fraction_mask = Constant::new((hidden_bit - 1).into()),
             hidden_bit = Constant::new(hidden_bit.into()),
             special_exponent = Constant::new(Bits::mask());
-            word_i, sign_o, code_o, exponent_o, significand_o, nan_o, infinity_o, shifted, code, exponent, fraction,
+            word_i, sign_o, encoded_exponent_o, exponent_o, significand_o, nan_o, infinity_o, shifted, encoded_exponent, exponent, fraction,
             significand, special,
         }
     }
@@ -64,18 +64,18 @@ impl<const E: usize, const S: usize, const W: usize> Logic for FpUnpack<E, S, W>
     #[hdl_gen]
     fn update(&mut self) {
         self.shifted.next = self.word_i.val() >> self.fraction_bits.val();
-        self.code.next = bit_cast::<E, W>(self.shifted.val());
+        self.encoded_exponent.next = bit_cast::<E, W>(self.shifted.val());
         self.fraction.next = bit_cast::<S, W>(self.word_i.val()) & self.fraction_mask.val();
-        self.special.next = self.code.val() == self.special_exponent.val();
-        self.exponent.next = self.code.val();
+        self.special.next = self.encoded_exponent.val() == self.special_exponent.val();
+        self.exponent.next = self.encoded_exponent.val();
         self.significand.next = self.fraction.val() | self.hidden_bit.val();
-        if !self.code.val().any() {
+        if !self.encoded_exponent.val().any() {
             self.exponent.next = 1.into();
             self.significand.next = self.fraction.val();
         }
 
         self.sign_o.next = self.word_i.val().get_bit(self.sign_index.val().index());
-        self.code_o.next = self.code.val();
+        self.encoded_exponent_o.next = self.encoded_exponent.val();
         self.exponent_o.next = self.exponent.val();
         self.significand_o.next = self.significand.val();
         self.nan_o.next = self.special.val() & self.fraction.val().any();
