@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`aabb`] | boxes, which are exact unions of what they enclose |
 //! | [`mod@build`] | the binary hierarchy over a mesh, from which every structure is converted |
-//! | [`bvh`], [`dst`] | nodes of bounding volume hierarchies and of dual-split trees: formats, one traversal step, validation |
+//! | [`bvh`], [`qbvh`], [`dst`] | nodes of bounding volume hierarchies and of dual-split trees: formats, one traversal step, validation |
 //! | [`structure`] | all structures behind one name |
 //! | [`ray`] | rays, robust and fast mode, and the proof that robust mode loses nothing |
 //! | [`triangle`] | the exact triangle test |
@@ -51,7 +51,7 @@ pub mod triangle;
 
 pub use aabb::Aabb;
 pub use ray::{Hit, Mode, Ray, TraversalRay};
-pub use structure::{bvh, dst};
+pub use structure::{bvh, dst, qbvh};
 
 /// The example in the README, which is compiled and run as a test.
 #[cfg(doctest)]

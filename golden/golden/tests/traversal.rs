@@ -1,14 +1,18 @@
-//! Every structure against brute force, and the dual-split tree against its hierarchy, on inputs made to break them.
+//! Every structure against brute force, and the leaves that a ray reaches in the dual-split tree and in planes of 8 bits against
+//! those of the exact hierarchy, on inputs made to break them.
 
 mod support;
 
-use golden::build::{BuildOptions, Quality, build};
+use golden::build::{BuildOptions, Quality, build, collapse_wide};
 use golden::bvh::Bvh2;
 use golden::dst::Dst;
+use golden::qbvh::QBvh;
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::traverse::{Leaves, Trace, brute_force};
+use golden::triangle::Triangle;
 use golden::{Mode, TraversalRay};
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 use support::strategies::{mesh, ray};
 
 proptest! {
@@ -28,6 +32,8 @@ proptest! {
         let dst = Dst::convert(&tree, triangles.clone()).unwrap();
         dst.validate(&tree).unwrap();
         let bvh = Bvh2::encode(&tree, triangles.clone());
+        let narrow = QBvh::<8>::encode(&collapse_wide(&tree), &triangles);
+        narrow.validate().unwrap();
         for mode in [Mode::Fast, Mode::Robust] {
             for ray in &rays {
                 let expected = brute_force(&triangles, ray, mode);
@@ -41,6 +47,11 @@ proptest! {
                         leaves.iter().map(|l| (l.first_triangle, l.t_entry.to_bits(), l.t_exit.to_bits())).collect()
                     };
                     prop_assert_eq!(bits(bvh.leaves(&prepared)), bits(dst.leaves(&prepared)));
+                    let first = |leaves: Vec<golden::traverse::Leaf>, triangles: &[Triangle]| -> BTreeSet<u32> {
+                        leaves.iter().map(|leaf| triangles[leaf.first_triangle as usize].index()).collect()
+                    };
+                    let exact = first(bvh.leaves(&prepared), &triangles);
+                    prop_assert!(first(narrow.leaves(&prepared), &narrow.triangles).is_superset(&exact));
                 }
             }
         }

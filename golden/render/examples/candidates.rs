@@ -7,12 +7,14 @@
 //! hierarchy that is not rounded. `docs/candidates.md` describes the formats, and holds the tables. Bytes of nodes are counted from the
 //! formats; the kernels read the nodes of golden.
 
-use golden::build::{BinaryTree, BuildOptions, Content, Quality, build, collapse_wide};
-use golden::bvh::{self, Bvh, Bvh2};
+use golden::build::{BinaryTree, BuildOptions, Content, Quality, WideTree, build, collapse_wide};
+use golden::bvh::{Bvh, Bvh2};
 use golden::dst::Dst;
 use golden::dst::header::{Header, LEAF_WORDS, NODE_WORDS};
+use golden::qbvh::QBvh;
 use golden::structure::pack_triangles;
 use golden::traverse::{Node, Observer, Tests, Trace};
+use golden::triangle::Triangle;
 use golden::{Aabb, Hit, Mode, Ray, TraversalRay};
 use render::{RayClass, RenderOptions, Test, render};
 use scenes::Scene;
@@ -163,9 +165,9 @@ fn table(scene: &Scene) {
         "| candidate | bytes a triangle | visits a ray | planes a ray | triangles a ray | other results |"
     );
     println!("|---|--:|--:|--:|--:|--:|");
-    boxes::<2>("bvh2", &bvh2, &line);
-    boxes::<4>("bvh4", &Bvh::encode(&collapse_wide::<4>(&tree), Arc::clone(&triangles)), &line);
-    boxes::<8>("bvh8", &Bvh::encode(&collapse_wide::<8>(&tree), Arc::clone(&triangles)), &line);
+    boxes::<2>(&tree, &triangles, &line);
+    boxes::<4>(&collapse_wide(&tree), &triangles, &line);
+    boxes::<8>(&collapse_wide(&tree), &triangles, &line);
     let dst = |tree: &BinaryTree| Dst::convert(tree, Arc::clone(&triangles)).expect("a small scene");
     let exact = dst(&tree);
     planes("dst", WORDS, &exact, &line);
@@ -189,27 +191,11 @@ fn table(scene: &Scene) {
 }
 
 /// A hierarchy of boxes, and the same with planes of 8 bits on a grid of each node.
-fn boxes<const N: usize>(name: &str, bvh: &Bvh<N>, line: &Line<'_>) {
-    line.print(name, bvh.node_bytes(), bvh, Work::default());
-    let mut narrow = bvh.clone();
-    let mut bytes = 0;
-    let mut stack = vec![(bvh.root, bvh.root_box)];
-    while let Some((word, aabb)) = stack.pop() {
-        if bvh::LEAF.get(word) == 1 {
-            continue;
-        }
-        let grid = Grid::around(&aabb, 8);
-        let first = Bvh::<N>::INDEX.get(word) as usize;
-        let children = first..first + bvh.children(word).len();
-        // Origin, exponents and count, first child, first triangle; six planes and a byte for each child.
-        bytes += (24 + 7 * children.len()).next_multiple_of(4);
-        for child in &mut narrow.nodes[children] {
-            child.aabb = grid.outward(&child.aabb);
-            // The child's grid begins at its rounded box, as the exact one is not stored.
-            stack.push((child.word, child.aabb));
-        }
-    }
-    line.print(&format!("q{name}"), bytes, &narrow, Work::default());
+fn boxes<const N: usize>(tree: &WideTree<N>, triangles: &Arc<[Triangle]>, line: &Line<'_>) {
+    let bvh = Bvh::<N>::encode(tree, Arc::clone(triangles));
+    line.print(&format!("bvh{N}"), bvh.node_bytes(), &bvh, Work::default());
+    let narrow = QBvh::<N>::encode(tree, triangles);
+    line.print(&format!("qbvh{N}"), narrow.node_bytes(), &narrow, Work::default());
 }
 
 /// Bytes of a split or carve node, of a bare leaf, and of everything else.

@@ -42,7 +42,7 @@ fn tree() {
     assert_eq!(document["triangles"], 6);
     let structures = document["structures"].as_array().unwrap();
     let names: Vec<_> = structures.iter().map(|s| s["name"].as_str().unwrap()).collect();
-    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "bvh16", "dst", "dst_scratch"]);
+    assert_eq!(names, ["bvh2", "bvh4", "bvh8", "bvh16", "qbvh2", "qbvh4", "qbvh8", "dst", "dst_scratch"]);
     for s in structures {
         has_keys(
             s,
@@ -71,7 +71,7 @@ fn saved_trees() {
     let size = "--size 40x30";
     work.json(&format!("render scene.obj {size} --out built.png --rays a.rays"));
     work.json("trace scene.obj --rays a.rays --out built.hits");
-    for structure in ["bvh2", "bvh4", "bvh8", "bvh16", "dst", "dst_scratch"] {
+    for structure in ["bvh2", "bvh4", "bvh8", "bvh16", "qbvh2", "qbvh4", "qbvh8", "dst", "dst_scratch"] {
         let document = work.json(&format!("tree scene.obj --save {structure}.tree --structure {structure}"));
         assert_eq!(document["artifacts"], serde_json::json!([format!("{structure}.tree")]));
         let trace = work
@@ -113,7 +113,7 @@ fn saved_trees() {
 fn render_trace_and_compare() {
     let work = Workplace::new();
     let size = "--size 40x30 --spp 2";
-    for structure in ["bvh2", "bvh4", "bvh8", "bvh16", "dst"] {
+    for structure in ["bvh2", "bvh4", "bvh8", "bvh16", "qbvh8", "dst"] {
         for test in ["raycast", "path"] {
             let line = format!("render scene.obj --structure {structure} --test {test} {size}");
             let document = work.json(&format!("{line} --out {structure}-{test}.exr"));
@@ -127,7 +127,7 @@ fn render_trace_and_compare() {
     let equal = work.json("compare bvh2-path.exr dst-path.exr");
     assert_eq!((&equal["differing_pixels"], &equal["rmse"]), (&0.into(), &0.0.into()));
     assert_ne!(work.read("bvh2-path.exr"), work.read("dst-path.exr"));
-    for other in ["bvh4", "bvh8", "bvh16", "dst"] {
+    for other in ["bvh4", "bvh8", "bvh16", "qbvh8", "dst"] {
         assert_eq!(work.read("bvh2-path.png"), work.read(&format!("{other}-path.png")));
         assert_eq!(work.read("bvh2-raycast.png"), work.read(&format!("{other}-raycast.png")));
     }

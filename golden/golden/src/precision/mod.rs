@@ -65,7 +65,7 @@ mod scale;
 pub use crate::structure::NarrowStructure;
 pub use arithmetic::NarrowArithmetic;
 pub(crate) use narrow::Planes;
-pub use narrow::{Narrow, NarrowBvh, NarrowDst};
+pub use narrow::{Narrow, NarrowDst};
 pub use ray::NarrowRay;
 pub use scale::Scale;
 

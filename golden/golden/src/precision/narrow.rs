@@ -2,7 +2,6 @@
 
 use super::{NarrowArithmetic, NarrowRay, Precision, Scale, Variant};
 use crate::Aabb;
-use crate::bvh::Bvh;
 use crate::dst::{Child, Dst, Step, step};
 use crate::ray::{Hit, PlaneRay, TraversalRay};
 use crate::structure::StructureFormat;
@@ -26,8 +25,6 @@ pub struct Narrow<T> {
 
 /// A dual-split tree in a narrow format.
 pub type NarrowDst = Narrow<Dst>;
-/// A hierarchy of boxes in a narrow format.
-pub type NarrowBvh<const N: usize> = Narrow<Bvh<N>>;
 
 /// How planes become narrow.
 #[derive(Clone, Copy)]

@@ -8,6 +8,7 @@ mod list;
 pub mod bvh;
 pub mod dst;
 mod format;
+pub mod qbvh;
 
 pub use format::{Memory, NodeWords, StructureFormat, TooLarge};
 
@@ -35,6 +36,12 @@ structures! { $
     Bvh8: "bvh8", 8, bvh::Bvh<8>;
     /// Hierarchy of up to sixteen boxes to a node.
     Bvh16: "bvh16", 16, bvh::Bvh<16>;
+    /// Binary hierarchy of boxes with planes of 8 bits.
+    QBvh2: "qbvh2", 34, qbvh::QBvh<2>;
+    /// Hierarchy of up to four boxes to a node, with planes of 8 bits.
+    QBvh4: "qbvh4", 36, qbvh::QBvh<4>;
+    /// Hierarchy of up to eight boxes to a node, with planes of 8 bits.
+    QBvh8: "qbvh8", 40, qbvh::QBvh<8>;
     /// Dual-split tree.
     Dst: "dst", 0, dst::Dst;
 }

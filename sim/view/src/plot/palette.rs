@@ -4,7 +4,7 @@ use plotters::prelude::RGBColor;
 
 /// The colours of structures, which are the same in all charts. Okabe and Ito chose the lighter ones, which colour-blind readers can
 /// tell apart; a variant of a structure is a darker or lighter shade.
-const STRUCTURES: [(&str, RGBColor); 10] = [
+const STRUCTURES: [(&str, RGBColor); 13] = [
     ("dst", RGBColor(0, 114, 178)),
     ("dst-sw", RGBColor(86, 180, 233)),
     ("dst_scratch", RGBColor(0, 58, 92)),
@@ -15,6 +15,9 @@ const STRUCTURES: [(&str, RGBColor); 10] = [
     ("bvh8", RGBColor(204, 121, 167)),
     ("bvh8+", RGBColor(132, 52, 96)),
     ("bvh16", RGBColor(120, 120, 120)),
+    ("qbvh2", RGBColor(240, 228, 66)),
+    ("qbvh4", RGBColor(102, 204, 170)),
+    ("qbvh8", RGBColor(236, 178, 210)),
 ];
 
 /// The colours of all other series, in their order. None is the colour of a structure.

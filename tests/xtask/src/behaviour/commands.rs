@@ -41,7 +41,7 @@ impl Command {
 }
 
 /// The structures that software traverses.
-const STRUCTURES: [&str; 5] = ["dst", "bvh2", "bvh4", "bvh8", "bvh16"];
+const STRUCTURES: [&str; 6] = ["dst", "bvh2", "bvh4", "bvh8", "bvh16", "qbvh8"];
 /// The structures that the machine has programs for.
 const MACHINE_STRUCTURES: [&str; 8] = ["dst", "dst-sw", "bvh2", "bvh4", "bvh8", "bvh2+", "bvh4+", "bvh8+"];
 const MODES: [&str; 2] = ["robust", "fast"];

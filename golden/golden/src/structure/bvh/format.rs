@@ -50,7 +50,7 @@ impl<const N: usize> StructureFormat for Bvh<N> {
     }
 
     fn statistics(&self) -> TreeStatistics {
-        super::statistics::of(self)
+        super::statistics::of(self, self.node_bytes())
     }
 
     fn node_words(&self, address: u64) -> NodeWords {
@@ -73,6 +73,7 @@ impl<const N: usize> StructureFormat for Bvh<N> {
         query: &mut Query<'_, ANY>,
         observer: &mut O,
     ) -> bool {
-        super::narrow::traverse(narrow, query, observer)
+        let bvh = &narrow.structure;
+        super::narrow::traverse(bvh, &bvh.root_box, |aabb| *aabb, &narrow.ray(query.ray), query, observer)
     }
 }

@@ -10,20 +10,21 @@
 //! consecutive. The root is not stored: its box and its word 0 are kept beside the array, as for the dual-split tree.
 
 mod format;
-mod leaves;
-mod narrow;
-mod statistics;
+mod hierarchy;
+pub(super) mod leaves;
+pub(super) mod narrow;
+pub(super) mod statistics;
 mod step;
-mod traverse;
+pub(super) mod traverse;
 mod validate;
 
+pub(super) use hierarchy::Hierarchy;
 pub use step::{BoxStep, box_step};
 pub use validate::BvhDefect;
 
 use crate::Aabb;
 use crate::build::{Content, Tree};
 use crate::dst::header::Field;
-use crate::traverse::{Node, Observer, Outcome, Part, Target, Tests};
 use crate::triangle::Triangle;
 use bytemuck::{Pod, Zeroable};
 use scenes::MAX_TRIANGLES;
@@ -126,28 +127,36 @@ impl<const N: usize> Bvh<N> {
     pub fn node_bytes(&self) -> usize {
         size_of_val(self.nodes.as_slice())
     }
-
-    /// What the node with word 0 `word` leads to.
-    fn target(word: u32) -> Target {
-        let index = Self::INDEX.get(word);
-        if LEAF.get(word) == 1 { Target::Leaf(index) } else { Target::Node(address(index)) }
-    }
-
-    /// Tells `observer` that the node at `index` with word 0 `word` was tested.
-    #[inline(always)]
-    fn observe<O: Observer>(observer: &mut O, index: u32, word: u32, test: BoxStep) {
-        let (t_min, t_max) = (test.t_entry, test.t_exit);
-        let outcome = if test.hit {
-            Outcome::One(Part { target: Self::target(word), t_min, t_max })
-        } else {
-            Outcome::Nothing
-        };
-        let bytes = 4 * BvhNode::WORDS;
-        observer.node(&Node { address: address(index), bytes, tests: Tests::Box, t_min, t_max, outcome });
-    }
 }
 
-/// Bytes before the node at `index`.
-fn address(index: u32) -> u64 {
-    u64::from(index) * size_of::<BvhNode>() as u64
+impl<const N: usize> Hierarchy<N> for Bvh<N> {
+    const INDEX: Field = Self::INDEX;
+
+    type Siblings<'a> = &'a [BvhNode];
+
+    #[inline(always)]
+    fn root(&self) -> (u32, &Aabb) {
+        (self.root, &self.root_box)
+    }
+
+    #[inline(always)]
+    fn triangles(&self) -> &[Triangle] {
+        &self.triangles
+    }
+
+    #[inline(always)]
+    fn siblings(&self, word: u32) -> &[BvhNode] {
+        self.children(word)
+    }
+
+    #[inline(always)]
+    fn address(word: u32) -> u64 {
+        u64::from(Self::INDEX.get(word)) * size_of::<BvhNode>() as u64
+    }
+
+    #[inline(always)]
+    fn place(word: u32, child: usize, _count: usize) -> (u64, u32) {
+        let bytes = size_of::<BvhNode>() as u32;
+        (Self::address(word) + child as u64 * u64::from(bytes), bytes)
+    }
 }

@@ -1,34 +1,42 @@
 //! What a hierarchy of boxes is expected to cost.
 
-use super::{Bvh, LEAF};
+use super::{Hierarchy, LEAF};
 use crate::stats::{Sums, TreeStatistics};
 
-/// The statistics of `bvh`.
-pub(super) fn of<const N: usize>(bvh: &Bvh<N>) -> TreeStatistics {
-    let mut sums = Sums::new(bvh.root_box, &bvh.triangles);
-    let mut stack = vec![(bvh.root, bvh.root_box, 0)];
+/// The statistics of `tree`, whose nodes take `bytes`.
+pub(in crate::structure) fn of<const N: usize, H: Hierarchy<N>>(tree: &H, bytes: usize) -> TreeStatistics {
+    let (root, root_box) = tree.root();
+    let mut sums = Sums::new(*root_box, tree.triangles());
+    let mut nodes = 0;
+    let mut stack = vec![(root, *root_box, 0)];
     while let Some((word, aabb, depth)) = stack.pop() {
         let share = sums.share(&aabb);
         if LEAF.get(word) == 1 {
-            sums.leaf(Bvh::<N>::INDEX.get(word), share, depth);
+            sums.leaf(H::INDEX.get(word), share, depth);
         } else {
-            let children = bvh.children(word);
+            let siblings = tree.siblings(word);
+            nodes += siblings.len();
             sums.sah_cost += share;
-            sums.node_visits += share * children.len() as f64;
-            stack.extend(children.iter().map(|child| (child.word, child.aabb, depth + 1)));
+            sums.node_visits += share * siblings.len() as f64;
+            stack.extend(siblings.iter().map(|child| (child.word, child.aabb, depth + 1)));
         }
     }
-    sums.finish(bvh.nodes.len(), bvh.node_bytes(), None)
+    sums.finish(nodes, bytes, None)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::build::{BinaryTree, BuildOptions, Quality, build, collapse_wide};
+    use crate::bvh::Bvh;
     use crate::structure::pack_triangles;
     use crate::triangle::Triangle;
     use scenes::Scene;
     use std::sync::Arc;
+
+    fn statistics<const N: usize>(bvh: &Bvh<N>) -> TreeStatistics {
+        of(bvh, bvh.node_bytes())
+    }
 
     fn close(a: f64, b: f64) -> bool {
         (a - b).abs() <= 1e-9 * b
@@ -44,7 +52,7 @@ mod tests {
 
     fn check<const N: usize>(tree: &BinaryTree, triangles: &Arc<[Triangle]>) {
         let wide = collapse_wide::<N>(tree);
-        let stats = of(&Bvh::<N>::encode(&wide, Arc::clone(triangles)));
+        let stats = statistics(&Bvh::<N>::encode(&wide, Arc::clone(triangles)));
         assert!(close(stats.sah_cost, wide.sah_cost()), "{N}: {} {}", stats.sah_cost, wide.sah_cost());
         assert_eq!(stats.nodes as usize, wide.nodes.len() - 1);
         assert_eq!(stats.bytes, 28 * stats.nodes);
@@ -67,7 +75,7 @@ mod tests {
         let leaves: f64 =
             tree.nodes.iter().filter(|n| tree.children(n).is_empty()).map(|n| n.aabb.half_area()).sum();
         let inner = tree.sah_cost() - leaves / tree.nodes[0].aabb.half_area();
-        let stats = of(&Bvh::<2>::encode(&tree, triangles));
+        let stats = statistics(&Bvh::<2>::encode(&tree, triangles));
         assert!(close(stats.expected_node_visits, 2.0 * inner));
     }
 }

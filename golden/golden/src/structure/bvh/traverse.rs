@@ -1,6 +1,6 @@
 //! Traversal: all children of a node are tested, the nearest is visited first.
 
-use super::{Bvh, BvhNode, LEAF, box_step};
+use super::{Bvh, BvhNode, Hierarchy, LEAF, box_step};
 use crate::ray::{Hit, TraversalRay};
 use crate::traverse::box_test::BoxTest;
 use crate::traverse::query::Query;
@@ -10,45 +10,66 @@ use crate::traverse::{Observer, Trace};
 impl<const N: usize> Trace for Bvh<N> {
     #[inline]
     fn closest_prepared<O: Observer>(&self, ray: &TraversalRay, observer: &mut O) -> Option<Hit> {
-        let mut query = Query::<false>::new(ray, &self.triangles);
-        traverse(self, &mut query, observer);
-        query.hit()
+        closest(self, ray, observer)
     }
 
     #[inline]
     fn occluded_prepared<O: Observer>(&self, ray: &TraversalRay, observer: &mut O) -> bool {
-        let mut query = Query::<true>::new(ray, &self.triangles);
-        traverse(self, &mut query, observer)
+        occluded(self, ray, observer)
     }
+}
+
+/// The nearest hit of `ray` in `tree`.
+#[inline(always)]
+pub(in crate::structure) fn closest<const N: usize, H: Hierarchy<N>, O: Observer>(
+    tree: &H,
+    ray: &TraversalRay,
+    observer: &mut O,
+) -> Option<Hit> {
+    let mut query = Query::<false>::new(ray, tree.triangles());
+    traverse(tree, &mut query, observer);
+    query.hit()
+}
+
+/// Whether `ray` hits anything in `tree`.
+#[inline(always)]
+pub(in crate::structure) fn occluded<const N: usize, H: Hierarchy<N>, O: Observer>(
+    tree: &H,
+    ray: &TraversalRay,
+    observer: &mut O,
+) -> bool {
+    let mut query = Query::<true>::new(ray, tree.triangles());
+    traverse(tree, &mut query, observer)
 }
 
 /// Visits nodes until nothing nearer can be found, or with `ANY` until something is; returns whether it was.
 #[inline(always)]
-fn traverse<const N: usize, const ANY: bool, O: Observer>(
-    bvh: &Bvh<N>,
+fn traverse<const N: usize, const ANY: bool, H: Hierarchy<N>, O: Observer>(
+    tree: &H,
     query: &mut Query<'_, ANY>,
     observer: &mut O,
 ) -> bool {
     let test = BoxTest::new(query.ray);
-    if test.interval(&bvh.root_box, query.t_max).is_none() {
+    let (mut word, root_box) = tree.root();
+    if test.interval(root_box, query.t_max).is_none() {
         return false;
     }
     let mut stack = Stack::<(u32, f32), N>::new();
-    let mut word = bvh.root;
     loop {
         if LEAF.get(word) == 1 {
-            if query.leaf(Bvh::<N>::INDEX.get(word), observer) {
+            if query.leaf(H::INDEX.get(word), observer) {
                 return true;
             }
         } else {
-            let children = bvh.children(word);
+            let siblings = tree.siblings(word);
             if O::ACTIVE {
-                for (index, child) in (Bvh::<N>::INDEX.get(word)..).zip(children) {
+                for (index, child) in siblings.iter().enumerate() {
                     let test = box_step(&child.aabb, query.ray, query.ray.t_min, query.t_max);
-                    Bvh::<N>::observe(observer, index, child.word, test);
+                    H::observe(observer, H::place(word, index, siblings.len()), child.word, test);
                 }
             }
-            if let Some(next) = visit_children::<N, O>(children, &test, query.t_max, &mut stack, observer) {
+            if let Some(next) = visit_children::<N, H, O>(&siblings, &test, query.t_max, &mut stack, observer)
+            {
                 word = next;
                 continue;
             }
@@ -58,7 +79,7 @@ fn traverse<const N: usize, const ANY: bool, O: Observer>(
                 return false;
             };
             let discarded = t_entry > query.t_max;
-            observer.pop(Bvh::<N>::target(next), discarded);
+            observer.pop(H::target(next), discarded);
             if !discarded {
                 word = next;
                 break;
@@ -71,7 +92,7 @@ fn traverse<const N: usize, const ANY: bool, O: Observer>(
 ///
 /// Children at equal distance are visited in the order of memory.
 #[inline(always)]
-fn visit_children<const N: usize, O: Observer>(
+fn visit_children<const N: usize, H: Hierarchy<N>, O: Observer>(
     children: &[BvhNode],
     test: &BoxTest,
     t_max: f32,
@@ -81,7 +102,7 @@ fn visit_children<const N: usize, O: Observer>(
     let mut push = |(word, t_entry): (u32, f32)| {
         stack.push((word, t_entry));
         // Folding gives a zero of either sign; adding +0 makes it that of the specification.
-        observer.push(Bvh::<N>::target(word), t_entry + 0.0, stack.len());
+        observer.push(H::target(word), t_entry + 0.0, stack.len());
     };
     if let [a, b] = children {
         let (hits, [ta, tb]) = test.pair(&a.aabb, &b.aabb, t_max);

@@ -36,10 +36,13 @@ pub enum BvhDefect {
         /// The union.
         expected: Aabb,
     },
-    /// Nodes or triangles are reached twice or never.
+    /// Nodes or triangles are reached twice.
+    #[error("node or triangle {0} is reached twice")]
+    Twice(u32),
+    /// Nodes or triangles are never reached.
     #[error("{reached} of {total} nodes and triangles are reached")]
     Coverage {
-        /// How often one was reached.
+        /// How many are reached.
         reached: usize,
         /// How many there are.
         total: usize,
@@ -53,19 +56,20 @@ impl<const N: usize> Bvh<N> {
     /// # Errors
     /// The first defect that is found.
     pub fn validate(&self) -> Result<(), BvhDefect> {
-        let mut reached = 0;
+        let mut reached =
+            Reached { nodes: vec![false; self.nodes.len()], triangles: vec![false; self.triangles.len()] };
         self.check(self.root, 0, &self.root_box, &mut reached)?;
-        let total = self.nodes.len() + self.triangles.len();
+        let all = || reached.nodes.iter().chain(&reached.triangles);
+        let (reached, total) = (all().filter(|reached| **reached).count(), all().count());
         if reached == total { Ok(()) } else { Err(BvhDefect::Coverage { reached, total }) }
     }
 
     /// Checks the node with word 0 `word`, whose box is `stored`. The recursion is as deep as the tree.
-    fn check(&self, word: u32, depth: u32, stored: &Aabb, reached: &mut usize) -> Result<(), BvhDefect> {
+    fn check(&self, word: u32, depth: u32, stored: &Aabb, reached: &mut Reached) -> Result<(), BvhDefect> {
         let index = Self::INDEX.get(word);
-        let total = self.nodes.len() + self.triangles.len();
         let inside = if LEAF.get(word) == 1 {
             let leaf = leaf_at(&self.triangles, index).ok_or(BvhDefect::OutOfRange { word })?;
-            *reached += leaf.len();
+            mark(&mut reached.triangles, index, leaf.len())?;
             leaf.iter().map(Triangle::aabb).fold(Aabb::EMPTY, Aabb::union)
         } else {
             if depth == MAX_DEPTH {
@@ -81,10 +85,7 @@ impl<const N: usize> Bvh<N> {
             if !agree || !(2..=N as u32).contains(&count) {
                 return Err(BvhDefect::Siblings { node: index, count });
             }
-            *reached += children.len();
-            if *reached > total {
-                return Err(BvhDefect::Coverage { reached: *reached, total });
-            }
+            mark(&mut reached.nodes, index, children.len())?;
             for child in children {
                 self.check(child.word, depth + 1, &child.aabb, reached)?;
             }
@@ -95,5 +96,45 @@ impl<const N: usize> Bvh<N> {
         } else {
             Err(BvhDefect::Box { found: *stored, expected: inside })
         }
+    }
+}
+
+/// Which nodes and triangles have been reached.
+struct Reached {
+    nodes: Vec<bool>,
+    triangles: Vec<bool>,
+}
+
+/// Marks `count` of them from `first` on.
+fn mark(reached: &mut [bool], first: u32, count: usize) -> Result<(), BvhDefect> {
+    for (index, reached) in (first..).zip(&mut reached[first as usize..][..count]) {
+        if std::mem::replace(reached, true) {
+            return Err(BvhDefect::Twice(index));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::build::{BuildOptions, Quality, build};
+    use crate::bvh::Bvh2;
+    use crate::structure::pack_triangles;
+    use scenes::Mesh;
+
+    /// Two pairs of equal triangles: the numbers and boxes fit if one pair is reached twice and the other never.
+    #[test]
+    fn what_is_reached_twice_is_found() {
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0]];
+        let mesh = Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]; 4] };
+        let options = BuildOptions { max_leaf_size: 1, ..BuildOptions::new(Quality::Fast) };
+        let tree = build(&mesh, &options).unwrap();
+        let mut bvh = Bvh2::encode(&tree, pack_triangles(&mesh, &tree));
+        bvh.validate().unwrap();
+        let inner: Vec<usize> = (0..bvh.nodes.len()).filter(|n| LEAF.get(bvh.nodes[*n].word) == 0).collect();
+        let [first, second] = inner[..] else { panic!("a balanced tree of four leaves") };
+        bvh.nodes[second].word = bvh.nodes[first].word;
+        assert!(matches!(bvh.validate(), Err(BvhDefect::Twice(_))), "{:?}", bvh.validate());
     }
 }

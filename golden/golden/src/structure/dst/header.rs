@@ -47,7 +47,7 @@ impl Field {
         (1 << self.width) - 1
     }
 
-    fn store(self, word: &mut u32, value: u32) {
+    pub(crate) fn store(self, word: &mut u32, value: u32) {
         debug_assert!(value <= self.mask());
         word.view_bits_mut::<Lsb0>()[self.low..self.low + self.width].store_le(value);
     }
