@@ -46,6 +46,8 @@ pub enum Damage {
     End(Index),
     /// A word is put in.
     Insert(Index, Index),
+    /// A word is in the place of as many bytes.
+    Over(Index, Index),
     /// A word is in the place of the number that begins there or behind.
     Number(Index, Index),
     /// Part of another file is put in.
@@ -66,6 +68,7 @@ impl Arbitrary for Damage {
                 .prop_map(|(from, to, times)| Self::Repeat(from, to, times)),
             place().prop_map(Self::End),
             (place(), place()).prop_map(|(at, word)| Self::Insert(at, word)),
+            (place(), place()).prop_map(|(at, word)| Self::Over(at, word)),
             (place(), place()).prop_map(|(at, word)| Self::Number(at, word)),
             (place(), place(), place()).prop_map(|(at, from, to)| Self::Splice(at, from, to)),
         ]
@@ -105,6 +108,11 @@ pub fn damaged(seed: &[u8], other: &[u8], damages: &[Damage]) -> Vec<u8> {
             Damage::Insert(at, word) => {
                 let at = place(at);
                 bytes.splice(at..at, word.get(&WORDS).iter().copied());
+            }
+            Damage::Over(at, word) => {
+                let (at, word) = (place(at), word.get(&WORDS));
+                let end = bytes.len().min(at + word.len());
+                bytes[at..end].copy_from_slice(&word[..end - at]);
             }
             Damage::Number(at, word) => {
                 let from = place(at);

@@ -20,8 +20,9 @@ use proptest::collection::vec;
 use proptest::prelude::any;
 use proptest::sample::Index;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, Once, PoisonError};
 use std::time::{Duration, Instant};
 
 #[global_allocator]
@@ -45,6 +46,9 @@ pub const MOST_INPUT: usize = 1 << 16;
 
 /// The longest time for a file. Debug builds and busy hosts are slow; a reader that hangs takes longer.
 pub const MOST_SECONDS: u64 = 20;
+
+/// After so many seconds the process ends: a reader that does not return is found by nothing else.
+const HANGING_SECONDS: u64 = 3 * MOST_SECONDS;
 
 /// Cases between two looks at the clock.
 const BATCH: u32 = 64;
@@ -73,6 +77,7 @@ pub fn fuzz(target: &Target, duration: Duration) -> Result<u64, String> {
     // Memory is counted for the whole process.
     static ALONE: Mutex<()> = Mutex::new(());
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    watch();
     let seeds = (target.seeds)();
     let explained = |what: &str, bytes: &[u8]| {
         format!("{}: {what}; the file: b\"{}\"", target.name, bytes.escape_ascii())
@@ -95,9 +100,8 @@ pub fn fuzz(target: &Target, duration: Duration) -> Result<u64, String> {
             bytes.truncate(MOST_INPUT);
             bytes
         };
-        let tried = runner.run(&strategy, |case| {
-            check(target, &bytes_of(&case)).map_err(TestCaseError::fail)
-        });
+        let tried =
+            runner.run(&strategy, |case| check(target, &bytes_of(&case)).map_err(TestCaseError::fail));
         match tried {
             Ok(()) => files += u64::from(BATCH),
             Err(TestError::Fail(what, case)) => return Err(explained(what.message(), &bytes_of(&case))),
@@ -110,11 +114,41 @@ pub fn fuzz(target: &Target, duration: Duration) -> Result<u64, String> {
     Ok(files)
 }
 
+/// The file that is being read, since when.
+static READING: Mutex<Option<(Instant, Vec<u8>)>> = Mutex::new(None);
+
+/// Tells which file is being read, or that none is.
+fn reading(bytes: Option<&[u8]>) {
+    let bytes = bytes.map(|bytes| (Instant::now(), bytes.to_vec()));
+    *READING.lock().unwrap_or_else(PoisonError::into_inner) = bytes;
+}
+
+/// Starts the thread that ends the process where a reader hangs, with the file on stderr.
+fn watch() {
+    static STARTED: Once = Once::new();
+    let watching = || {
+        loop {
+            std::thread::sleep(Duration::from_secs(1));
+            if let Some((since, bytes)) = &*READING.lock().unwrap_or_else(PoisonError::into_inner)
+                && since.elapsed().as_secs() >= HANGING_SECONDS
+            {
+                // Not by `eprintln`: a test that does not end keeps that to itself.
+                let file = bytes.escape_ascii();
+                _ = writeln!(std::io::stderr(), "reading it does not end; the file: b\"{file}\"");
+                std::process::abort();
+            }
+        }
+    };
+    STARTED.call_once(|| _ = std::thread::spawn(watching));
+}
+
 /// Reads one file.
 fn check(target: &Target, bytes: &[u8]) -> Result<(), String> {
+    reading(Some(bytes));
     let (before, start) = (MEMORY.current_usage(), Instant::now());
     MEMORY.reset_peak_usage();
     let read = catch_unwind(AssertUnwindSafe(|| (target.read)(bytes)));
+    reading(None);
     let (taken, seconds) = (MEMORY.peak_usage().saturating_sub(before), start.elapsed().as_secs());
     match read {
         Err(_) => Err("reading it panics".to_owned()),

@@ -12,6 +12,7 @@ use render::{RenderOptions, Test, render};
 use scenes::{Format, Mesh, Scene, formats};
 use std::path::{Path, PathBuf};
 use studies::sweep::file::SweepFile;
+use tempfile::TempDir;
 use view::picture::{exr, png};
 
 const MIB: usize = 1 << 20;
@@ -50,7 +51,7 @@ pub const ALL: [Target; 15] = [
     Target { name: "machine", seeds: machines, read: machine, most_bytes: 64 * MIB },
     Target { name: "liberty", seeds: liberty, read: cells, most_bytes: 128 * MIB },
     Target { name: "exr", seeds: exrs, read: |bytes| picture("a.exr", bytes), most_bytes: 1536 * MIB },
-    Target { name: "png", seeds: pngs, read: |bytes| picture("a.png", bytes), most_bytes: 1536 * MIB },
+    Target { name: "png", seeds: pngs, read: png_picture, most_bytes: 1536 * MIB },
     Target { name: "listing", seeds: listings, read: listing, most_bytes: 256 * MIB },
     Target {
         name: "sweep",
@@ -60,9 +61,16 @@ pub const ALL: [Target; 15] = [
     },
 ];
 
-/// Calls `read` with a file `name` of these bytes, in a folder of its own.
+/// A folder of its own, in memory where the system has such a place: a disk takes longer than most readers.
+fn folder() -> TempDir {
+    let memory = Path::new("/dev/shm");
+    let folder = if memory.is_dir() { tempfile::tempdir_in(memory) } else { tempfile::tempdir() };
+    folder.expect("a temporary folder")
+}
+
+/// Calls `read` with a file `name` of these bytes.
 fn from_file(name: &str, bytes: &[u8], read: impl FnOnce(&Path)) {
-    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder();
     let path = folder.path().join(name);
     std::fs::write(&path, bytes).expect("a temporary file");
     read(&path);
@@ -70,7 +78,7 @@ fn from_file(name: &str, bytes: &[u8], read: impl FnOnce(&Path)) {
 
 /// The bytes of the file `name` that `write` makes.
 fn written(name: &str, write: impl FnOnce(&Path)) -> Vec<u8> {
-    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder();
     let path = folder.path().join(name);
     write(&path);
     std::fs::read(path).expect("it was written")
@@ -113,7 +121,7 @@ fn mesh_files(name: &str) -> Vec<Vec<u8>> {
     files
 }
 
-/// Forms of the format and known faults: names that are no UTF-8, continued and cut lines, polygons of all kinds.
+/// Forms of the format and known faults, and those in the folder that `DUALSPLIT_DATA` names: names that are no UTF-8, continued and cut lines, polygons of all kinds.
 fn obj() -> Vec<Vec<u8>> {
     let mut files = mesh_files("a.obj");
     for text in [
@@ -125,6 +133,11 @@ fn obj() -> Vec<Vec<u8>> {
     ] {
         files.push(text.to_vec());
     }
+    let others = testing::data("faults").map(|folder| folder.read_dir().expect("a folder").flatten());
+    let mut others: Vec<PathBuf> = others.into_iter().flatten().map(|entry| entry.path()).collect();
+    others.retain(|path| path.extension().is_some_and(|extension| extension == "obj"));
+    others.sort();
+    files.extend(others.iter().map(|path| std::fs::read(path).expect("a file")));
     files
 }
 
@@ -167,12 +180,29 @@ fn compressed() -> Vec<Vec<u8>> {
     ["a.obj.gz", "a.ply.xz", "a.stl.gz", "a.obj.xz"].iter().flat_map(|name| mesh_files(name)).collect()
 }
 
+/// Reads a mesh and builds a tree of it: what is accepted can be traced.
 fn mesh(bytes: &[u8], format: Format) {
-    _ = formats::read(bytes, Path::new("a"), None, Some(format));
+    let Ok(file) = formats::read(bytes, Path::new("a"), None, Some(format)) else { return };
+    if let Ok(tree) = build(&file.mesh, &BuildOptions::new(Quality::Fast)) {
+        let triangles = pack_triangles(&file.mesh, &tree);
+        if let Ok(structure) = Structure::convert(StructureKind::Dst, &tree, &triangles) {
+            trace(&structure);
+        }
+    }
 }
 
 fn any_mesh(bytes: &[u8]) {
     _ = formats::read(bytes, Path::new("a.obj"), None, None);
+}
+
+/// Traces rays along the axes and across them.
+fn trace(structure: &Structure) {
+    for direction in [[0.01, 0.02, 1.0], [0.0, -1.0, 0.0], [1.0, 0.0, 1e-30]] {
+        let ray = golden::Ray::new(direction.map(|x: f32| -9.0 * x), direction);
+        for mode in [golden::Mode::Robust, golden::Mode::Fast] {
+            _ = golden::traverse::Trace::closest(structure, &ray, mode);
+        }
+    }
 }
 
 fn views() -> Vec<Vec<u8>> {
@@ -206,11 +236,14 @@ fn trees() -> Vec<Vec<u8>> {
     structures().iter().map(|(_, structure)| tree_file::to_bytes(structure)).collect()
 }
 
-/// Reads a tree and traces a ray through it: what is accepted can be traced.
+/// Reads a tree whose checksum is right whatever is damaged, and traces it: what is accepted can be traced.
 fn tree(bytes: &[u8]) {
-    if let Ok(structure) = tree_file::from_bytes(bytes) {
-        let ray = golden::Ray::new([0.0, 1.0, -9.0], [0.01, 0.02, 1.0]);
-        _ = golden::traverse::Trace::closest(&structure, &ray, golden::Mode::Robust);
+    let mut bytes = bytes.to_vec();
+    if let Some((contents, checksum)) = bytes.split_last_chunk_mut() {
+        *checksum = crc32fast::hash(contents).to_le_bytes();
+    }
+    if let Ok(structure) = tree_file::from_bytes(&bytes) {
+        trace(&structure);
     }
 }
 
@@ -292,12 +325,47 @@ fn cells(bytes: &[u8]) {
     }
 }
 
+/// Pictures in every compression that the library reads.
 fn exrs() -> Vec<Vec<u8>> {
-    vec![exr::encode(&rendering())]
+    use ::exr::prelude::{Compression, Encoding, Image, SpecificChannels, WritableImage};
+    let compressions = [
+        Compression::Uncompressed,
+        Compression::RLE,
+        Compression::ZIP1,
+        Compression::PIZ,
+        Compression::PXR24,
+        Compression::B44,
+    ];
+    let with = |compression| {
+        let pixel = |at: ::exr::math::Vec2<usize>| (at.x() as f32, at.y() as f32, 0.5f32);
+        let mut image = Image::from_channels((9, 7), SpecificChannels::rgb(pixel));
+        image.layer_data.encoding = Encoding { compression, ..Encoding::FAST_LOSSLESS };
+        let mut bytes = std::io::Cursor::new(vec![]);
+        image.write().non_parallel().to_buffered(&mut bytes).expect("a complete picture");
+        bytes.into_inner()
+    };
+    compressions.map(with).into_iter().chain([exr::encode(&rendering())]).collect()
 }
 
 fn pngs() -> Vec<Vec<u8>> {
     vec![png::encode(&png::develop(&rendering(), 0.0))]
+}
+
+/// Reads a picture the checksums of whose chunks are right as far as their lengths are.
+fn png_picture(bytes: &[u8]) {
+    let mut bytes = bytes.to_vec();
+    let mut at = 8; // behind the signature
+    while let Some(length) = bytes.get(at..at + 4) {
+        let length = u32::from_be_bytes(length.try_into().expect("four bytes")) as usize;
+        let end = at + 8 + length;
+        if bytes.len() < end + 4 {
+            break;
+        }
+        let checksum = crc32fast::hash(&bytes[at + 4..end]).to_be_bytes();
+        bytes[end..end + 4].copy_from_slice(&checksum);
+        at = end + 4;
+    }
+    picture("a.png", &bytes);
 }
 
 fn picture(name: &str, bytes: &[u8]) {
