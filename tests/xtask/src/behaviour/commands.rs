@@ -11,7 +11,9 @@ pub struct Command {
     pub json: bool,
     /// The commands that write what it reads.
     pub after: &'static [&'static str],
-    /// Ends of the names of files that hold host times in another form than JSON or CSV.
+    /// Files that it reads and no command writes: names and contents.
+    pub reads: &'static [(&'static str, &'static str)],
+    /// Parts of the paths of files that depend on the host or on the program's sources in another form than [`super::filter`] knows.
     pub drops: &'static [&'static str],
     /// The exit code that is right.
     pub code: i32,
@@ -19,7 +21,7 @@ pub struct Command {
 
 impl Command {
     fn new(name: impl Into<String>, line: impl Into<String>) -> Self {
-        Self { name: name.into(), line: line.into(), json: true, after: &[], drops: &[], code: 0 }
+        Self { name: name.into(), line: line.into(), json: true, after: &[], reads: &[], drops: &[], code: 0 }
     }
 
     /// Prints tables.
@@ -29,6 +31,10 @@ impl Command {
 
     fn after(self, after: &'static [&'static str]) -> Self {
         Self { after, ..self }
+    }
+
+    fn reads(self, reads: &'static [(&'static str, &'static str)]) -> Self {
+        Self { reads, ..self }
     }
 
     fn drops(self, drops: &'static [&'static str]) -> Self {
@@ -56,6 +62,19 @@ const SMALLEST: &str = "statue --detail 0.0005 --quality fast";
 /// A machine of two multiprocessors with small caches.
 const MACHINE: &str =
     "--set chip.l2_partitions=1 --set chip.tms_per_partition=2 --set l1.size=16KiB --set l2.size=128KiB";
+/// Four runs on it: two structures and two sizes of the L1.
+const SWEEP: &str = "\
+scenes = \"statue\"
+detail = 0.0005
+quality = \"fast\"
+structures = [\"dst\", \"bvh2\"]
+sizes = \"12x12\"
+[set]
+l1.size = [\"16KiB\", \"32KiB\"]
+l2.size = \"128KiB\"
+chip.l2_partitions = 1
+chip.tms_per_partition = 2
+";
 
 /// All commands, in the order in which they run.
 pub fn commands() -> Vec<Command> {
@@ -221,6 +240,11 @@ fn studies() -> Vec<Command> {
              --out stress",
         ),
         Command::new("chart-precision", format!("{precision} --out precision")),
+        // The names of the records of its runs depend on the program's sources.
+        Command::new("sweep", "sweep sweep.toml --out sweep")
+            .reads(&[("sweep.toml", SWEEP)])
+            .drops(&["sweep/runs/"]),
+        Command::new("rerun", "rerun needs").after(&["needs"]),
         // The horizontal axis of its pictures is the host's time.
         Command::new("chart-fidelity", format!("{fidelity} --out fidelity")).drops(&["-error.svg"]),
     ]

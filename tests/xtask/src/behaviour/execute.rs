@@ -23,6 +23,10 @@ pub struct Outcome {
 
 /// Runs `command` in `folder`.
 pub fn run(tool: &Path, command: &Command, threads: u16, folder: &Path) -> anyhow::Result<Outcome> {
+    for (name, content) in command.reads {
+        let path = folder.join(name);
+        fs::write(&path, content).with_context(|| path.display().to_string())?;
+    }
     let before = files(folder)?;
     let start = Instant::now();
     let mut process = process::Command::new(tool);
@@ -40,7 +44,7 @@ pub fn run(tool: &Path, command: &Command, threads: u16, folder: &Path) -> anyho
     let printed = if command.json { filter::filtered("stdout.json", output.stdout) } else { output.stdout };
     let mut hashes = vec![Entry::new(&command.name, "stdout", &printed)];
     for (name, stamp) in files(folder)? {
-        if before.get(&name) != Some(&stamp) && !command.drops.iter().any(|end| name.ends_with(end)) {
+        if before.get(&name) != Some(&stamp) && !command.drops.iter().any(|part| name.contains(part)) {
             let path = folder.join(&name);
             let bytes = fs::read(&path).with_context(|| path.display().to_string())?;
             hashes.push(Entry::new(&command.name, &name, &filter::filtered(&name, bytes)));
