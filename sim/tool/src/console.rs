@@ -1,5 +1,6 @@
 //! Standard output and progress.
 
+use anyhow::Context;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::ffi::OsString;
@@ -94,11 +95,11 @@ pub fn command(words: impl IntoIterator<Item = OsString>) -> String {
 }
 
 /// Writes `text` to stdout. A closed pipe is no error.
-pub fn print(text: &str) -> io::Result<()> {
+pub fn print(text: &str) -> anyhow::Result<()> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        result => result,
+        result => result.context("standard output: cannot write"),
     }
 }
 
@@ -115,8 +116,14 @@ pub fn message(error: &anyhow::Error) -> String {
     message
 }
 
-/// Lets a signal that ends the program first remove temporary files.
+/// Lets a signal that ends the program first remove temporary files, and makes a file that becomes too long an error.
 pub fn end_at_signals() {
+    // The system ends a program that writes beyond the limit of a file's length, unless it ignores the signal.
+    // SAFETY: no other thread runs yet, and nothing runs at an ignored signal.
+    #[cfg(unix)]
+    unsafe {
+        libc::signal(libc::SIGXFSZ, libc::SIG_IGN);
+    }
     // Without a handler, a signal ends the program as well.
     let _ = ctrlc::set_handler(|| {
         base::output::remove_unfinished();
@@ -159,9 +166,14 @@ impl Bars {
             && shown.spoke.is_some_and(|spoke| spoke.elapsed() >= SPEAKS_EVERY)
         {
             shown.spoke = Some(Instant::now());
-            eprintln!("{line}");
+            say(&line);
         }
     }
+}
+
+/// Writes a line to stderr, which may be closed or on a full disk.
+pub fn say(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// What a bar shows, as a line.
@@ -199,7 +211,7 @@ impl Progress for Bars {
             _ if self.quiet => {}
             // A hidden bar prints nothing.
             Some(bar) if !bar.is_hidden() => bar.println(line),
-            _ => eprintln!("{line}"),
+            _ => say(line),
         }
     }
 
@@ -225,7 +237,7 @@ fn spinner(label: &str) -> ProgressBar {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use anyhow::{Context, anyhow};
+    use anyhow::anyhow;
 
     #[test]
     fn a_cause_is_said_once() {

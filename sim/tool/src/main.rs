@@ -17,15 +17,14 @@ fn main() -> ExitCode {
         Ok(report) => match console::print(&report.render(cli.global.json, &command)) {
             Ok(()) if report.difference => ExitCode::from(1),
             Ok(()) => ExitCode::SUCCESS,
-            Err(error) => fail(&error.into()),
+            Err(error) => fail(&error),
         },
         Err(error) => fail(&error),
     }
 }
 
-/// Writes one line to stderr, unless that is closed, and returns exit code 2.
+/// Writes one line to stderr, and returns exit code 2.
 fn fail(error: &anyhow::Error) -> ExitCode {
-    use std::io::Write;
-    let _ = writeln!(std::io::stderr(), "error: {}", console::message(error));
+    console::say(&format!("error: {}", console::message(error)));
     ExitCode::from(2)
 }
