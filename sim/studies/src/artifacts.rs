@@ -1,5 +1,6 @@
 //! A folder of results, which a later run may replace.
 
+use crate::input::try_folder;
 use anyhow::{Context, bail};
 use base::guard;
 use base::input::read_own;
@@ -33,7 +34,8 @@ impl Artifacts {
     /// is removed again.
     ///
     /// # Errors
-    /// The folder holds files of others, or a file of an earlier run that is read, or cannot be made.
+    /// The folder holds files of others, or a file of an earlier run that is read, or cannot be made or written into, or another run
+    /// is writing into it.
     pub fn create(folder: &Path, force: bool) -> anyhow::Result<Self> {
         let list = folder.join(LIST);
         let mut made = vec![];
@@ -63,7 +65,10 @@ impl Artifacts {
                 folder.display()
             );
         }
-        Ok(Self { folder: folder.to_owned(), force, owned, written: vec![], made, _lock: lock(folder)? })
+        let artifacts =
+            Self { folder: folder.to_owned(), force, owned, written: vec![], made, _lock: lock(folder)? };
+        try_folder(folder)?;
+        Ok(artifacts)
     }
 
     /// Writes the file `name`, a relative path with `/`. Only with `force` does it replace a file that the tool did not make.

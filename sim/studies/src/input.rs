@@ -3,7 +3,7 @@
 use crate::progress::{Part, Progress};
 use anyhow::{Context, bail, ensure};
 use base::guard;
-use base::output::is_special;
+use base::output::{WriteError, is_special, target};
 use golden::build::{BinaryTree, BuildError, BuildOptions, Quality, build};
 use golden::structure::{Structure, StructureKind, pack_triangles};
 use golden::tree_file;
@@ -209,7 +209,8 @@ pub fn check_outputs(outputs: &[(&str, Option<&Path>)], force: bool) -> anyhow::
     Ok(())
 }
 
-/// Checks before the work that `path` can be written after it: that its folder exists, and that it names no file to be kept.
+/// Checks before the work that `path` can be written after it: that its folder exists and takes files, and that it names no file to
+/// be kept.
 ///
 /// # Errors
 /// The path cannot be written. The message begins with `option`, which the path was given for.
@@ -228,10 +229,24 @@ fn check_writable(option: &str, path: &Path, force: bool) -> anyhow::Result<()> 
     if is_stdout(path) {
         bail!("{option} {}: standard output gets what the command prints; name a file", path.display());
     }
-    if !force && path.exists() && !is_special(path) {
-        return Err(base::output::WriteError::Exists(path.to_owned())).context(option.to_owned());
+    if is_special(path) {
+        return Ok(());
     }
-    Ok(())
+    if !force && path.exists() {
+        return Err(WriteError::Exists(path.to_owned())).context(option.to_owned());
+    }
+    // Links are followed to the folder into which they lead.
+    let target = target(path).with_context(|| format!("{option} {}", path.display()))?;
+    try_folder(target.parent().unwrap_or(Path::new("."))).context(option.to_owned())
+}
+
+/// Finds out before the work whether files can be made in `folder`, by making one without a name.
+///
+/// # Errors
+/// [`WriteError::Io`], which names the folder.
+pub(crate) fn try_folder(folder: &Path) -> Result<(), WriteError> {
+    let failed = |source| WriteError::Io { path: folder.to_owned(), source };
+    tempfile::tempfile_in(folder).map(drop).map_err(failed)
 }
 
 /// Whether `path` leads to standard output, where what is written would be mixed with, or replaced by, what is printed. A terminal

@@ -1,9 +1,11 @@
-//! Disks that are full, and folders that another run is writing into.
+//! Disks and folders that refuse: full ones, those that take no file, and those that another run is writing into.
 #![cfg(unix)]
 
 mod support;
 
 use std::fs::{self, File};
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use support::Workplace;
@@ -97,6 +99,56 @@ fn a_full_device_is_an_error() {
     let said = run("tree line.obj").stdout(Stdio::null()).stderr(full()).status().unwrap();
     assert_eq!(said.code(), Some(0));
     assert_eq!(run("tree nothing.obj").stderr(full()).status().unwrap().code(), Some(2));
+}
+
+#[test]
+fn folders_that_take_no_file_are_noticed_before_the_work() {
+    let work = Workplace::new();
+    let mut folders = vec!["scene.obj"];
+    if cfg!(target_os = "linux") {
+        folders.push("/proc");
+    }
+    // Work that no test would wait for.
+    let large = "scene.obj --size 4096x4096 --spp 64";
+    for folder in folders {
+        work.refused(&format!("render {large} --out {folder}/a.png"), &["--out", folder]);
+        work.refused(&format!("needs scene.obj --size 4096x4096 --out {folder}/n"), &[folder, "folder"]);
+        work.refused(&format!("study --preset paper --out {folder}/s"), &[folder, "folder"]);
+    }
+}
+
+/// How a command is run for which permissions hold: as it is, or, for root, without its capabilities.
+fn bound_by_permissions(folder: &Path) -> Option<Vec<&'static str>> {
+    let probe = folder.join("probe");
+    if File::create(&probe).is_err() {
+        return Some(vec![]);
+    }
+    fs::remove_file(&probe).unwrap();
+    let words = vec!["setpriv", "--bounding-set=-all", "--inh-caps=-all"];
+    let tried = Command::new(words[0]).args(&words[1..]).arg("touch").arg(&probe).output();
+    tried.is_ok_and(|output| stderr(&output).contains("ermission denied")).then_some(words)
+}
+
+#[test]
+fn a_folder_without_permission_is_noticed_before_the_work() {
+    let work = Workplace::new();
+    let folder = work.path("locked");
+    fs::create_dir(&folder).unwrap();
+    fs::set_permissions(&folder, fs::Permissions::from_mode(0o555)).unwrap();
+    let Some(prefix) = bound_by_permissions(&folder) else {
+        println!("skipped: root writes everywhere, and there is no setpriv that takes its capabilities away");
+        return;
+    };
+    for line in [
+        "render scene.obj --size 4096x4096 --spp 64 --out locked/a.png",
+        "needs scene.obj --size 4096x4096 --out locked",
+        "study --preset paper --out locked",
+    ] {
+        let words: Vec<&str> = prefix.iter().copied().chain([TOOL]).chain(line.split(' ')).collect();
+        let output = Command::new(words[0]).args(&words[1..]).current_dir(work.path(".")).output().unwrap();
+        could_not_write(&output, "locked");
+        assert!(fs::read_dir(&folder).unwrap().next().is_none(), "{line}");
+    }
 }
 
 #[test]

@@ -4,12 +4,15 @@
 //! Trees", HPG 2020, as presented there.
 
 use super::correlation::{Correlation, Direction};
-use super::row::{Row, scenes};
+use super::jobs::Series;
+use super::row::{Row, of_series, scenes};
 use serde::Serialize;
 
 /// A claim of the paper, with our result.
 #[derive(Clone, Debug, Serialize)]
 pub struct Claim {
+    /// Its name, which does not depend on the study's size.
+    pub name: String,
     /// The claim in words.
     pub claim: String,
     /// The paper's result.
@@ -108,6 +111,7 @@ pub fn compare(rows: &[Row], scaling: &[Row]) -> Vec<Claim> {
     let mut range = |test: &str, base: &str, what: &str, of: fn(&Row) -> f64, published: Range| {
         let changes = table.changes(test, "dst", base, of);
         claims.push(Claim {
+            name: format!("{test}-{what}-{base}"),
             claim: format!("{test}: {what}, dst against {base}"),
             published: format!("{:+.0} .. {:+.0} %", published.most, published.least),
             ours: percent(&changes),
@@ -122,29 +126,43 @@ pub fn compare(rows: &[Row], scaling: &[Row]) -> Vec<Claim> {
     range("path", "bvh2", "energy", energy, Range { least: -38.0, most: -26.0 });
     range("path", "dst-sw", "time", time, Range { least: -34.0, most: 0.0 });
     range("path", "dst-sw", "energy", energy, Range { least: -24.0, most: 0.0 });
-    let mut count = |claim: &str, published: &str, (good, all): (usize, usize)| {
+    let mut count = |name: &str, claim: &str, published: &str, (good, all): (usize, usize)| {
         claims.push(Claim {
+            name: name.to_owned(),
             claim: claim.to_owned(),
             published: published.to_owned(),
             ours: format!("{good} of {all} scenes"),
             holds: judge(good, all),
         });
     };
-    count("path: dst is fastest", "everywhere", table.least("path", "dst", &STRUCTURES, time));
     count(
+        "path-fastest",
+        "path: dst is fastest",
+        "everywhere",
+        table.least("path", "dst", &STRUCTURES, time),
+    );
+    count(
+        "raycast-lowest-energy",
         "raycast: dst has the lowest energy",
         "everywhere",
         table.least("raycast", "dst", &STRUCTURES, energy),
     );
-    count("path: dst has the lowest energy", "everywhere", table.least("path", "dst", &STRUCTURES, energy));
+    count(
+        "path-lowest-energy",
+        "path: dst has the lowest energy",
+        "everywhere",
+        table.least("path", "dst", &STRUCTURES, energy),
+    );
     let single = ["dst", "dst-sw", "bvh2", "bvh4", "bvh8"];
     count(
+        "raycast-fastest-single",
         "raycast: dst is fastest among single pipelines",
         "everywhere",
         table.least("raycast", "dst", &single, time),
     );
     let beaten = table.changes("raycast", "dst", "bvh2+", time);
     claims.push(Claim {
+        name: "raycast-bvh2+-faster".to_owned(),
         claim: "raycast: bvh2+ is sometimes faster than dst".to_owned(),
         published: "sometimes".to_owned(),
         ours: format!("in {} of {} scenes", beaten.iter().filter(|c| **c > 0.0).count(), beaten.len()),
@@ -184,6 +202,7 @@ fn less_in_caches(table: &Table<'_>, [_, (name, of), _]: &Grouping) -> Option<Cl
     let value = |structure: &str| table.value("hairball", "path", structure, *of);
     let change = 100.0 * (value("dst")? / value("dst-sw")? - 1.0);
     Some(Claim {
+        name: format!("hairball-less-{}", name.replace(' ', "-")),
         claim: format!("hairball, path: {name} energy, dst against dst-sw"),
         published: "much lower".to_owned(),
         ours: format!("{change:+.1} %"),
@@ -205,6 +224,7 @@ fn cuts_everything(table: &Table<'_>, parts: &Grouping) -> Option<Claim> {
         }
     }
     Some(Claim {
+        name: format!("hairball-all-with-{}", parts[1].0.replace(' ', "-")),
         claim: format!(
             "hairball, path: dst and dst-sw below the best BVH in {}, {} and {}",
             parts[0].0, parts[1].0, parts[2].0
@@ -225,6 +245,7 @@ fn growth(table: &Table<'_>) -> Option<Claim> {
     }
     let found = Correlation::of(&gains)?;
     Some(Claim {
+        name: "path-gain-grows".to_owned(),
         claim: "path: the gain over bvh2 grows with the scene (Kendall's tau of triangles and gain)"
             .to_owned(),
         published: "grows".to_owned(),
@@ -248,6 +269,7 @@ fn catching_up(table: &Table<'_>) -> Option<Claim> {
     }
     let found = Correlation::of(&gains)?;
     Some(Claim {
+        name: "dst-sw-catches-up".to_owned(),
         claim: "dst-sw catches up with dst where memory dominates (Kendall's tau of memory's share and gain)"
             .to_owned(),
         published: "catches up".to_owned(),
@@ -268,6 +290,7 @@ fn scaling_claim(scaling: &[Row]) -> Option<Claim> {
     let [dst, bvh2, bvh4, bvh8] = ["dst", "bvh2", "bvh4", "bvh8"].map(speed_up);
     let (dst, bvh2, bvh4, bvh8) = (dst?, bvh2?, bvh4?, bvh8?);
     Some(Claim {
+        name: "speed-up-by-tms".to_owned(),
         claim: format!("speed-up from {few} to {many} TMs: dst, bvh2, bvh4, bvh8"),
         published: "dst above bvh2 and bvh4, about like bvh8".to_owned(),
         ours: format!("{dst:.2}, {bvh2:.2}, {bvh4:.2}, {bvh8:.2}"),
@@ -275,19 +298,23 @@ fn scaling_claim(scaling: &[Row]) -> Option<Claim> {
     })
 }
 
-/// The claims as CSV with a header.
+/// The claims in the runs of a study of any size.
+pub fn of_rows(rows: &[Row]) -> Vec<Claim> {
+    compare(&of_series(rows, Series::Main), &of_series(rows, Series::Scaling))
+}
+
+/// The claims as CSV with a header, without their names.
 pub(super) fn csv(claims: &[Claim]) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(vec![]);
-    for claim in claims {
-        writer.serialize(claim)?;
+    writer.write_record(["claim", "published", "ours", "holds"])?;
+    for Claim { name: _, claim, published, ours, holds } in claims {
+        writer.write_record([claim, published, ours, *holds])?;
     }
     Ok(String::from_utf8(writer.into_inner()?)?)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::jobs::Series;
-    use super::super::row::of_series;
     use super::*;
     use std::fs;
     use std::path::Path;
@@ -297,11 +324,13 @@ mod tests {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/study");
         let mut reader = ::csv::Reader::from_path(folder.join("study.csv")).unwrap();
         let rows: Vec<Row> = reader.deserialize().collect::<Result<_, _>>().unwrap();
-        let claims = compare(&of_series(&rows, Series::Main), &of_series(&rows, Series::Scaling));
+        let claims = of_rows(&rows);
         let (file, expected) = (folder.join("comparison.csv"), csv(&claims).unwrap());
         if std::env::var_os("DUALSPLIT_BLESS").is_some() {
             fs::write(&file, &expected).unwrap();
         }
         assert_eq!(fs::read_to_string(&file).unwrap(), expected, "DUALSPLIT_BLESS=1 writes the file anew");
+        let names: std::collections::BTreeSet<&String> = claims.iter().map(|claim| &claim.name).collect();
+        assert_eq!(names.len(), claims.len(), "each claim has a name of its own");
     }
 }

@@ -4,7 +4,7 @@ use anyhow::Context;
 use machine::description::MachineDescription;
 use machine::frame::MachineStructure;
 use render::Test;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// The size of a study.
@@ -38,8 +38,7 @@ impl Preset {
 }
 
 /// The series that a simulation belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(test, derive(serde::Deserialize))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Series {
     /// All scenes, structures and tests.

@@ -5,11 +5,10 @@ use machine::description::MachineDescription;
 use machine::frame::MachineStructure;
 use machine::results::Results;
 use render::Test;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A simulated frame: its scene, structure and machine, and its results.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(serde::Deserialize))]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "keys of result files, with their units")]
 pub struct Row {
     pub preset: String,
@@ -24,7 +23,7 @@ pub struct Row {
     /// Words of a load: 1, 2, 4 or line.
     pub load_words: String,
     /// `layout.alignment` of the machine; 0B where nodes are packed.
-    #[cfg_attr(test, serde(default))]
+    #[serde(default)]
     pub alignment: String,
     /// Bytes of the nodes and of the gaps between them.
     pub node_bytes: u64,

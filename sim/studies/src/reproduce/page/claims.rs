@@ -2,14 +2,17 @@
 
 use super::super::stages::Outcome;
 use super::{cell, rows};
+use crate::study::comparison::{Claim, of_rows};
+use crate::study::row::Row;
 use std::collections::BTreeMap;
 use view::report::{Item, Section, Table};
 
-/// The claims judged at full size: claim, published, ours, holds.
-const FULL_SIZE: &str = include_str!("../../../../../docs/study/comparison.csv");
+/// The runs at full size.
+const FULL_SIZE: &str = include_str!("../../../../../docs/study/study.csv");
 
-/// A claim with its four texts.
+/// A claim with its name and its four texts.
 struct Line {
+    name: String,
     claim: String,
     published: String,
     ours: String,
@@ -17,19 +20,20 @@ struct Line {
 }
 
 fn full_size() -> Vec<Line> {
-    let mut reader = csv::Reader::from_reader(FULL_SIZE.as_bytes());
-    let records = reader.records().map(|record| record.expect("the study wrote the file"));
-    let line = |record: csv::StringRecord| {
-        let [claim, published, ours, holds] = [0, 1, 2, 3].map(|at| record[at].to_owned());
-        Line { claim, published, ours, holds }
+    let rows = csv::Reader::from_reader(FULL_SIZE.as_bytes()).into_deserialize();
+    let rows: Vec<Row> = rows.map(|row| row.expect("the study wrote the file")).collect();
+    let line = |claim: Claim| {
+        let Claim { name, claim, published, ours, holds } = claim;
+        Line { name, claim, published, ours, holds: holds.to_owned() }
     };
-    records.map(line).collect()
+    of_rows(&rows).into_iter().map(line).collect()
 }
 
 fn here(study: &Outcome) -> Vec<Line> {
     let text = |value: &serde_json::Value, key: &str| cell(&value[key]);
     let claims = rows(&study.report["comparison"]).iter();
     let line = |claim| Line {
+        name: text(claim, "name"),
         claim: text(claim, "claim"),
         published: text(claim, "published"),
         ours: text(claim, "ours"),
@@ -46,12 +50,10 @@ pub fn table(study: &Outcome, is_full_size: bool) -> Table {
         let lines = here.into_iter().map(|line| [line.claim, line.published, line.ours, line.holds]);
         Table::new(caption, ["claim", "published", "here", "holds"], lines)
     } else {
-        // The number of multiprocessors in a claim is that of the preset.
-        let without_digits = |claim: &str| claim.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
         let full: BTreeMap<String, String> =
-            full_size().into_iter().map(|line| (without_digits(&line.claim), line.holds)).collect();
+            full_size().into_iter().map(|line| (line.name, line.holds)).collect();
         let lines = here.into_iter().map(|line| {
-            let at_full_size = full.get(&without_digits(&line.claim)).cloned().unwrap_or_default();
+            let at_full_size = full.get(&line.name).cloned().unwrap_or_default();
             [line.claim, line.published, line.ours, line.holds, at_full_size]
         });
         Table::new(caption, ["claim", "published", "here", "holds here", "at full size"], lines)
@@ -77,19 +79,19 @@ pub fn at_full_size() -> Section {
 /// The four ratios that matter most, with their ranges over the scenes: here, at full size, and as published.
 pub fn ratios(study: Option<&Outcome>) -> Table {
     const SHOWN: [(&str, &str); 4] = [
-        ("raycast: time, dst against bvh2", "frame time, ray casting"),
-        ("raycast: energy, dst against bvh2", "energy, ray casting"),
-        ("path: time, dst against bvh2", "frame time, path tracing"),
-        ("path: energy, dst against bvh2", "energy, path tracing"),
+        ("raycast-time-bvh2", "frame time, ray casting"),
+        ("raycast-energy-bvh2", "energy, ray casting"),
+        ("path-time-bvh2", "frame time, path tracing"),
+        ("path-energy-bvh2", "energy, path tracing"),
     ];
     let (here, full) = (study.map(here).unwrap_or_default(), full_size());
-    let of = |lines: &[Line], claim: &str, text: fn(&Line) -> &str| {
-        lines.iter().find(|line| line.claim == claim).map_or(String::new(), |line| multiples(text(line)))
+    let of = |lines: &[Line], name: &str, text: fn(&Line) -> &str| {
+        lines.iter().find(|line| line.name == name).map_or(String::new(), |line| multiples(text(line)))
     };
-    let row = |(claim, name): (&str, &str)| {
-        let found = study.map(|_| of(&here, claim, |line| &line.ours));
-        let others = [of(&full, claim, |line| &line.ours), of(&full, claim, |line| &line.published)];
-        [name.to_owned()].into_iter().chain(found).chain(others).collect()
+    let row = |(name, quantity): (&str, &str)| {
+        let found = study.map(|_| of(&here, name, |line| &line.ours));
+        let others = [of(&full, name, |line| &line.ours), of(&full, name, |line| &line.published)];
+        [quantity.to_owned()].into_iter().chain(found).chain(others).collect()
     };
     let header =
         ["quantity"].into_iter().chain(study.map(|_| "this run")).chain(["at full size", "the paper"]);
@@ -142,11 +144,12 @@ mod tests {
 
     #[test]
     fn claims_stand_beside_those_at_full_size() {
-        let claim = &full_size()[0].claim;
-        let report = json!({"comparison": [{"claim": claim, "published": "p", "ours": "-50 .. -75 %", "holds": "yes"}]});
+        let name = &full_size()[0].name;
+        let report = json!({"comparison": [{"name": name, "claim": "in other words", "published": "p", "ours": "-50 .. -75 %", "holds": "yes"}]});
         let study = Outcome { command: "dualsplit study".into(), report, difference: false, seconds: 1.0 };
         assert_eq!(table(&study, false).rows[0][3..], ["yes".to_owned(), full_size()[0].holds.clone()]);
-        let scaling = json!({"comparison": [{"claim": "speed-up from 1 to 8 TMs: dst, bvh2, bvh4, bvh8"}]});
+        let scaling =
+            json!({"comparison": [{"name": "speed-up-by-tms", "claim": "speed-up from 1 to 8 TMs"}]});
         let scaled = Outcome { report: scaling, ..study.clone() };
         assert!(
             !table(&scaled, false).rows[0][4].is_empty(),

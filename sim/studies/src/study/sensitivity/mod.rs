@@ -226,7 +226,7 @@ fn score(claim: &Claim) -> Option<f64> {
 }
 
 fn judged(claim: &Claim, sample: &[Values], varied: &[Vec<Claim>]) -> ClaimRegion {
-    let of = |claims: &Vec<Claim>| claims.iter().find(|other| other.claim == claim.claim).and_then(score);
+    let of = |claims: &Vec<Claim>| claims.iter().find(|other| other.name == claim.name).and_then(score);
     let scores: Vec<Option<f64>> = varied.iter().map(of).collect();
     ClaimRegion {
         claim: claim.claim.clone(),
