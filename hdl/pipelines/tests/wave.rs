@@ -21,7 +21,7 @@ fn the_dump_reads_back() {
     let mut parser = Parser::new(&bytes[..]);
     let header = parser.parse_header().unwrap();
     let id = |name: &str| header.find_var(&["dual_split", name]).unwrap().code;
-    let inside = header.find_var(&["dual_split", "multiply_0", "array", "product_o"]);
+    let inside = header.find_var(&["dual_split", "multiply_0", "array_lower", "product_o"]);
     assert_eq!(inside.unwrap().size, 48, "signals of inner instances are there");
     let scopes = header.items.iter().filter(|item| matches!(item, ScopeItem::Scope(_))).count();
     assert_eq!(scopes, 1);
