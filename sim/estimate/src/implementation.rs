@@ -7,9 +7,9 @@ use pipelines::catalogue::{StandardFormat, Top};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Breakdown, EstimateError};
+use super::{Breakdown, EstimateError, Recipe, stages};
 use costs::Unit;
-use gates::aig::Origin;
+use gates::aig::{Aig, Lit, Node, Origin};
 use gates::blast::{Blasted, Options, blast, unit_scopes};
 use gates::energy::{self, Energy, activity};
 use gates::glitch;
@@ -35,14 +35,20 @@ pub struct Implementation<'l> {
     pub design: Design,
     /// The pipeline's netlist of words.
     pub flat: Flat,
-    /// The gates of the netlist, with those of each unit kept apart.
-    pub blasted: Blasted,
+    /// The gates that were mapped, with those of each unit kept apart.
+    pub graph: Aig,
+    /// The bits of each input in the graph.
+    pub inputs: Vec<Vec<Lit>>,
     /// The cells that the gates are mapped to, buffered and sized.
     pub mapped: Mapped,
     /// The timing of the cells.
     pub timing: Timing,
     /// The library of the cells.
     pub library: &'l Library,
+    /// How the cells were found.
+    pub recipe: Recipe,
+    /// The stage at whose end each latch of the graph is.
+    pub(super) latch_stages: Vec<u32>,
     units: Vec<Option<(ScopeId, Unit)>>,
 }
 
@@ -83,6 +89,78 @@ pub struct ModuleRow {
     pub levels: u32,
 }
 
+/// A pipeline as gates, before it is mapped.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    top: Top,
+    design: Design,
+    flat: Flat,
+    pub graph: Aig,
+    inputs: Vec<Vec<Lit>>,
+    latch_stages: Vec<u32>,
+    units: Vec<Option<(ScopeId, Unit)>>,
+}
+
+impl Source {
+    pub fn new(
+        top: Top,
+        format: StandardFormat,
+        library: &Library,
+        structures: Structures,
+    ) -> Result<Self, EstimateError> {
+        if !matches!(top, Top::DualSplit | Top::DualSplitLean | Top::RayBox | Top::RayBoxLean) {
+            return Err(EstimateError::NoPipeline(top));
+        }
+        let design = top.design(format)?;
+        let flat = flatten(&design)?;
+        let structures = structures.fitted(library);
+        let options = Options { structures, keep_units: true, ..Options::default() };
+        let Blasted { aig: mut graph, inputs, .. } = blast(&design, &flat, options);
+        let latch_stages = stages::of_latches(&graph);
+        if library.clock_gate.is_none() {
+            graph.multiplex_enables();
+        }
+        let units = unit_scopes(&design, &flat)
+            .into_iter()
+            .map(|unit| unit.and_then(|(scope, kind)| Some((scope, Unit::of_module(kind)?))))
+            .collect();
+        Ok(Self { top, design, flat, graph, inputs, latch_stages, units })
+    }
+
+    /// The same pipeline with another graph of equal function and ports.
+    pub fn with_graph(&self, graph: Aig) -> Self {
+        let moved = |lit: &Lit| match self.graph.nodes()[lit.node()] {
+            Node::Input(input) => graph.inputs()[input as usize].lit,
+            _ => *lit,
+        };
+        let inputs = self.inputs.iter().map(|word| word.iter().map(moved).collect()).collect();
+        Self { inputs, graph, ..self.clone() }
+    }
+
+    pub fn implemented<'l>(
+        self,
+        mapped: Mapped,
+        timing: Timing,
+        library: &'l Library,
+        recipe: Recipe,
+    ) -> Implementation<'l> {
+        let Self { top, design, flat, graph, inputs, latch_stages, units } = self;
+        Implementation {
+            top,
+            design,
+            flat,
+            graph,
+            inputs,
+            mapped,
+            timing,
+            library,
+            recipe,
+            latch_stages,
+            units,
+        }
+    }
+}
+
 impl<'l> Implementation<'l> {
     /// Maps a pipeline to a library, and sizes its cells for the shortest critical path.
     ///
@@ -102,30 +180,25 @@ impl<'l> Implementation<'l> {
         library: &'l Library,
         structures: Structures,
     ) -> Result<Self, EstimateError> {
-        if !matches!(top, Top::DualSplit | Top::DualSplitLean | Top::RayBox | Top::RayBoxLean) {
-            return Err(EstimateError::NoPipeline(top));
-        }
-        let design = top.design(format)?;
-        let flat = flatten(&design)?;
-        let structures = structures.fitted(library);
-        let options = Options { structures, keep_units: true, ..Options::default() };
-        let mut blasted = blast(&design, &flat, options);
-        if library.clock_gate.is_none() {
-            blasted.aig.multiplex_enables();
-        }
-        let mut mapped = map(&blasted.aig, library)?;
-        buffer(&mut mapped, &blasted.aig, library);
+        let source = Source::new(top, format, library, structures)?;
+        let mut mapped = map(&source.graph, library)?;
+        buffer(&mut mapped, &source.graph, library);
         let timing = size(&mut mapped, library, 0.0);
-        let units = unit_scopes(&design, &flat)
-            .into_iter()
-            .map(|unit| unit.and_then(|(scope, kind)| Some((scope, Unit::of_module(kind)?))))
-            .collect();
-        Ok(Self { top, design, flat, blasted, mapped, timing, library, units })
+        let recipe = Recipe::default();
+        Ok(source.implemented(mapped, timing, library, recipe))
     }
 
     /// The unit that a gate of this origin belongs to; `None` for glue.
     fn unit(&self, origin: Origin) -> Option<Unit> {
         self.units[origin.scope as usize].map(|(_, unit)| unit)
+    }
+
+    /// The instance of the unit that a gate of this origin belongs to, or `glue`.
+    pub(super) fn part(&self, origin: Origin) -> String {
+        match self.units[origin.scope as usize] {
+            Some((scope, _)) => self.flat.scopes[scope as usize].path.clone(),
+            None => "glue".to_owned(),
+        }
     }
 
     fn collect(&self, gates: impl Iterator<Item = f64>) -> Breakdown {
@@ -170,7 +243,7 @@ impl<'l> Implementation<'l> {
         } else {
             vec![stream.to_vec()]
         };
-        let (aig, inputs) = (&self.blasted.aig, &self.blasted.inputs);
+        let (aig, inputs) = (&self.graph, &self.inputs);
         let activity = activity(aig, inputs, &lanes, FILL_CYCLES);
         let cycles = activity.cycles.max(1) as f64;
         let by_node = |net: u32| activity.changes[self.mapped.literals[net as usize].node()] as f64 / cycles;
@@ -183,7 +256,7 @@ impl<'l> Implementation<'l> {
     #[must_use]
     pub fn energy(&self, stream: &[Vec<u128>]) -> EnergyReport {
         let (zero_delay, operations) = self.zero_delay_energy(stream);
-        let (aig, inputs) = (&self.blasted.aig, &self.blasted.inputs);
+        let (aig, inputs) = (&self.graph, &self.inputs);
         let windows: Vec<(Vec<u64>, u64)> = (0..GLITCH_WINDOWS)
             .into_par_iter()
             .map(|window| {

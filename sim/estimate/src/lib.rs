@@ -22,24 +22,30 @@
 //! ```
 
 mod breakdown;
+mod clock;
 mod implementation;
 mod paper;
 mod published;
 mod scaling;
+mod stages;
 mod workload;
 
 pub use breakdown::Breakdown;
+pub use clock::{Mappings, Recipe};
 pub use implementation::{EnergyReport, Implementation, ModuleRow};
 pub use paper::PaperFigures;
 pub use scaling::{Scaling, TARGET_NODE_NM, TARGET_VOLTAGE_V};
+pub use stages::{StageRow, Stretch};
 pub use workload::{NodeType, Workload};
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use costs::{Pipeline, PipelineCost, Unit};
+use gates::abc::AbcError;
 use gates::liberty::{Library, embedded};
 use gates::map::MapError;
+use gates::prove::Verdict;
 use netlist::{ElaborateError, inventory};
 use pipelines::catalogue::{CatalogueError, StandardFormat, Top};
 
@@ -63,6 +69,12 @@ pub enum EstimateError {
         "library {0} has a node without scaling coefficients: use one of 45, 130 or 180 nm, or leave scaling out"
     )]
     Unscalable(String),
+    /// ABC gives no netlist.
+    #[error(transparent)]
+    Abc(#[from] AbcError),
+    /// A mapped netlist could not be proved equal to its source.
+    #[error("the cells of {0} are not proved equal to its gates: {1:?}; report this as a fault")]
+    Unproved(Top, Verdict),
     /// Not a pipeline.
     #[error("{0} has no estimate: name dual_split, dual_split_lean, ray_box or ray_box_lean")]
     NoPipeline(Top),

@@ -11,10 +11,11 @@
 //! |---|---|
 //! | [`aig`], [`words`] | and-inverter graphs; sums, products and choices as gates |
 //! | [`blast`] | a netlist as gates |
+//! | [`restructure`] | shallower graphs of the same function |
 //! | [`simulate`], [`aiger`] | 64 lanes and more at once; AIGER files |
 //! | [`prove`] | equivalence by sweeping and SAT; exported Verilog, read back |
-//! | [`liberty`], [`map`] | the cells of a library, or the embedded ones; mapping for area |
-//! | [`timing`], [`energy`], [`glitch`] | static timing, buffers, sizing; energy from changes of nets, with glitches |
+//! | [`liberty`], [`map`], [`abc`] | the cells of a library, or the embedded ones; mapping for area or delay, by ABC for comparison |
+//! | [`timing`], [`energy`], [`glitch`] | static timing, buffers, sizing for a clock; energy from changes of nets, with glitches |
 //!
 //! Two structures of an adder, proved equal for all operands:
 //!
@@ -32,6 +33,7 @@
 //! assert_eq!(prove(&aig, &pairs, Limits::default()).verdict, Verdict::Equal);
 //! ```
 
+pub mod abc;
 pub mod aig;
 pub mod aiger;
 pub mod blast;
@@ -41,6 +43,7 @@ pub mod liberty;
 pub mod map;
 pub mod multiply;
 pub mod prove;
+pub mod restructure;
 pub mod simulate;
 pub mod timing;
 pub mod words;

@@ -37,6 +37,17 @@ fn the_report_has_all_forms_and_their_numbers_agree() {
             assert_eq!(pipeline["units"][unit], count, "{name} {unit}");
         }
         assert_eq!(pipeline["latency_cycles"], 8);
+        // Without a clock, the numbers hold for the critical path, which is that of one of the stages.
+        let clock = &pipeline["clock"];
+        assert_eq!(clock["period_ns"], pipeline["critical_path_ns"]);
+        let paths = clock["stages"].as_array().unwrap().iter().map(|stage| number(&stage["path_ns"]));
+        assert_eq!(paths.fold(0.0, f64::max), number(&clock["period_ns"]));
+        assert!(
+            (number(&clock["period_fo4"]) * number(&json["library"]["fo4_ps"]) / 1e3
+                - number(&clock["period_ns"]))
+            .abs()
+                < 1e-9
+        );
         let estimates = pipeline["estimates"].as_array().unwrap();
         let methods: Vec<&str> = estimates.iter().map(|row| row["method"].as_str().unwrap()).collect();
         assert_eq!(methods, ["published", "netlist", "scaled"]);
@@ -69,7 +80,7 @@ fn bad_libraries_end_in_an_error_that_names_them() {
         (
             "empty.lib",
             Some("library (x) { nom_voltage : 1.0; time_unit : \"1ns\"; capacitive_load_unit (1, pf); }"),
-            "no rising-edge D flip-flop",
+            "empty.lib: the library has no rising-edge D flip-flop",
         ),
     ];
     for (name, text, message) in cases {
@@ -81,8 +92,32 @@ fn bad_libraries_end_in_an_error_that_names_them() {
         assert_eq!(output.status.code(), Some(2), "{name}: {error}");
         assert!(error.contains(message), "{name}: {error}");
     }
-    let output = estimate(&["--synth"], folder.path());
-    assert_eq!(output.status.code(), Some(2));
+    for arguments in [&["--synth"][..], &["--clock", "soon"], &["--clock", "0GHz"], &["--curve"]] {
+        let output = estimate(arguments, folder.path());
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_clock_is_met_or_its_slack_and_path_are_named() {
+    if !testing::long("mapping of four pipelines for two clocks") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let small = ["--detail", "0.002", "--quality", "fast", "--clock"];
+    let missed = estimate(&[&small[..], &["50ps"]].concat(), folder.path());
+    assert_eq!(missed.status.code(), Some(1));
+    let text = String::from_utf8(missed.stdout).unwrap();
+    assert!(text.contains("ray_box misses the clock by ") && text.contains("clock to output"), "{text}");
+    let met = estimate(&[&small[..], &["200fo4", "--json"]].concat(), folder.path());
+    assert_eq!(met.status.code(), Some(0));
+    let json: serde_json::Value = serde_json::from_slice(&met.stdout).unwrap();
+    for pipeline in json["pipelines"].as_array().unwrap() {
+        let clock = &pipeline["clock"];
+        assert!((clock["period_fo4"].as_f64().unwrap() - 200.0).abs() < 1e-9);
+        assert!(clock["slack_ns"].as_f64().unwrap() >= 0.0);
+        assert_eq!(clock["stages"].as_array().unwrap().len(), 9);
+    }
 }
 
 #[test]

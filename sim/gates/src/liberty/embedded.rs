@@ -101,6 +101,8 @@ pub fn embedded() -> Library {
             area_um2: 6.75 * GATE_EQUIVALENT_UM2,
             leakage_nw: 0.5,
             data: "D".to_owned(),
+            clock: "CLK".to_owned(),
+            output: "Q".to_owned(),
             data_ff: 1.42,
             clock_ff: 2.77,
             arc: Arc {

@@ -50,8 +50,15 @@ pub enum LibertyError {
         error: Box<LibertyError>,
     },
     /// A cell that every netlist needs is missing.
-    #[error("the library has no {0}; add the file that has it (--liberty may be given several times)")]
-    Missing(&'static str),
+    #[error(
+        "{files}: the library has no {what}; add the file that has it (--liberty may be given several times)"
+    )]
+    Missing {
+        /// The cell.
+        what: &'static str,
+        /// The files that were read.
+        files: String,
+    },
     /// Files of one library differ in what they should share.
     #[error("{0} differs between the files: give files of one library and corner")]
     Mixed(&'static str),
@@ -115,6 +122,10 @@ pub struct FlipFlop {
     pub leakage_nw: f64,
     /// Name of the data input.
     pub data: String,
+    /// Name of the clock input.
+    pub clock: String,
+    /// Name of the output.
+    pub output: String,
     /// Capacitance of the data input.
     pub data_ff: f64,
     /// Capacitance of the clock input.

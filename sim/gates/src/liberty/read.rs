@@ -54,7 +54,11 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
     cells.sort_by(|a, b| a.name.cmp(&b.name));
     flip_flops.sort_by(|a, b| a.area_um2.total_cmp(&b.area_um2).then_with(|| a.name.cmp(&b.name)));
     gates.sort_by(|a, b| a.area_um2.total_cmp(&b.area_um2).then_with(|| a.name.cmp(&b.name)));
-    let flip_flop = flip_flops.into_iter().next().ok_or(LibertyError::Missing("rising-edge D flip-flop"))?;
+    let missing = |what: &'static str| {
+        let paths: Vec<String> = files.iter().map(|(path, _)| path.display().to_string()).collect();
+        LibertyError::Missing { what, files: paths.join(", ") }
+    };
+    let flip_flop = flip_flops.into_iter().next().ok_or_else(|| missing("rising-edge D flip-flop"))?;
     let source =
         files.first().map(|(path, _)| path.file_name().unwrap_or_default().to_string_lossy().into_owned());
     let node_nm = known_node(&name);
@@ -72,7 +76,7 @@ pub fn read(files: &[(&Path, String)]) -> Result<Library, LibertyError> {
     for (what, inputs, table) in [("inverter", 1, !a), ("two-input NAND gate", 2, !(a & b)), ("buffer", 1, a)]
     {
         if library.smallest(inputs, table).is_none() {
-            return Err(LibertyError::Missing(what));
+            return Err(missing(what));
         }
     }
     Ok(library)

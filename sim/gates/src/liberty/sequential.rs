@@ -32,6 +32,8 @@ pub(super) fn flip_flop(context: &Context, cell: &Group) -> Option<FlipFlop> {
         area_um2: number(cell.value("area"))?,
         leakage_nw: leakage(context, cell),
         data: data.to_owned(),
+        clock: clock.to_owned(),
+        output: output.name().to_owned(),
         data_ff: capacitance(context, data_pin),
         clock_ff: capacitance(context, clock_pin),
         arc,

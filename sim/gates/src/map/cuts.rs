@@ -19,7 +19,7 @@ pub struct Cut {
 }
 
 impl Cut {
-    fn trivial(node: usize) -> Self {
+    pub fn trivial(node: usize) -> Self {
         let mut leaves = [0; MAX_INPUTS];
         leaves[0] = node as u32;
         Self { leaves, size: 1, table: variable(0) }
@@ -96,11 +96,11 @@ pub fn enumerate(aig: &Aig, patterns: &Patterns) -> Vec<Vec<Cut>> {
 }
 
 /// Whether every leaf of one cut is one of the other.
-fn dominates(cut: &Cut, other: &Cut) -> bool {
+pub fn dominates(cut: &Cut, other: &Cut) -> bool {
     cut.size <= other.size && cut.leaves().iter().all(|leaf| other.leaves().contains(leaf))
 }
 
-fn join(x: &Cut, y: &Cut, invert_x: bool, invert_y: bool) -> Option<Cut> {
+pub fn join(x: &Cut, y: &Cut, invert_x: bool, invert_y: bool) -> Option<Cut> {
     let mut leaves = [0u32; MAX_INPUTS];
     let (mut i, mut j, mut size) = (0, 0, 0);
     let (left, right) = (x.leaves(), y.leaves());

@@ -145,9 +145,13 @@ fn own_inverters(aig: &Aig, mapped: &mut Mapped) {
 }
 
 impl Mapped {
-    /// The graph of the cells' functions, with the ports and latches of the graph that was mapped.
+    /// The graph of the cells' functions, with the ports and latches of the graph that was mapped, and the literal of each net
+    /// in it; that of a net without driver is false.
+    ///
+    /// # Panics
+    /// If a net that something reads has no driver.
     #[must_use]
-    pub fn function(&self, source: &Aig, library: &Library) -> Aig {
+    pub fn function(&self, source: &Aig, library: &Library) -> (Aig, Vec<Lit>) {
         let mut aig = Aig::default();
         let mut nets: Vec<Option<Lit>> = vec![None; self.nets];
         nets[Lit::FALSE.code() as usize] = Some(Lit::FALSE);
@@ -157,6 +161,7 @@ impl Mapped {
         }
         for register in &self.registers {
             let latch = &source.latches()[register.latch];
+            aig.origin = register.origin;
             nets[register.output as usize] = Some(aig.add_latch(latch.name.clone(), latch.initial));
         }
         let value = |nets: &[Option<Lit>], net: u32| {
@@ -164,6 +169,7 @@ impl Mapped {
         };
         for gate in &self.gates {
             let inputs: Vec<Lit> = gate.inputs.iter().map(|&net| value(&nets, net)).collect();
+            aig.origin = gate.origin;
             let lit = expand(&mut aig, library.cells[gate.cell].function, &inputs);
             nets[gate.output as usize] = Some(lit);
         }
@@ -176,7 +182,7 @@ impl Mapped {
         for (output, net) in source.outputs.iter().zip(&self.outputs) {
             aig.add_output(output.name.clone(), value(&nets, *net));
         }
-        aig
+        (aig, nets.into_iter().map(|lit| lit.unwrap_or(Lit::FALSE)).collect())
     }
 
     /// For each net, the gates that read it.

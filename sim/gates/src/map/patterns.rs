@@ -2,11 +2,19 @@
 
 use std::collections::HashMap;
 
-use crate::liberty::Library;
 use crate::liberty::function::{MAX_INPUTS, variable};
+use crate::liberty::{Cell, Library};
+use crate::timing::reference_slew_ns;
 
 /// Most ways kept to compute one function.
 const MOST_MATCHES: usize = 6;
+
+/// The load that delays are estimated at before cells have sizes, in multiples of the input's own capacitance: a cell is made
+/// as large as its load demands.
+const EFFORT: f64 = 2.0;
+/// Power of the number of inputs that multiplies an estimated delay. Cells of many inputs come in few sizes, and their stacks of
+/// transistors make them slow under load. ABC's script for speed uses the same.
+const WIDE: f64 = 0.9;
 
 /// A cell that computes a function of a cut's leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +35,10 @@ pub struct Patterns {
     matches: HashMap<(u8, u64), Vec<Match>>,
     /// The inverter: position and area.
     pub inverter: (u32, f32),
+    /// Estimated delay from each input of each cell of the library, in a unit for comparisons.
+    pub delays: Vec<[f32; MAX_INPUTS]>,
+    /// Estimated delay from the clock to the output of a flip-flop, and the setup time, in the same unit.
+    pub register: (f32, f32),
 }
 
 impl Patterns {
@@ -37,6 +49,8 @@ impl Patterns {
         let mut patterns = Self {
             matches: HashMap::new(),
             inverter: (inverter as u32, library.cells[inverter].area_um2 as f32),
+            delays: delays(library),
+            register: register(library),
         };
         for (position, cell) in library.cells.iter().enumerate() {
             let inputs = cell.inputs.len();
@@ -70,6 +84,28 @@ impl Patterns {
     pub fn of(&self, leaves: usize, table: u64) -> &[Match] {
         self.matches.get(&(leaves as u8, table)).map_or(&[], Vec::as_slice)
     }
+}
+
+/// The slower edge of each arc, at the transition time of a chain of inverters and a load that suits the cell.
+fn delays(library: &Library) -> Vec<[f32; MAX_INPUTS]> {
+    let slew = reference_slew_ns(library);
+    let of = |cell: &Cell| {
+        let mut delays = [0.0; MAX_INPUTS];
+        for ((delay, arc), capacitance) in delays.iter_mut().zip(&cell.arcs).zip(&cell.capacitance_ff) {
+            let load = EFFORT * capacitance;
+            let slower = arc.delay_ns.iter().map(|table| table.at(slew, load)).fold(0.0, f64::max);
+            *delay = (slower * (cell.inputs.len() as f64).powf(WIDE)) as f32;
+        }
+        delays
+    };
+    library.cells.iter().map(of).collect()
+}
+
+fn register(library: &Library) -> (f32, f32) {
+    let load = 2.0 * EFFORT * library.cells[library.inverter()].capacitance_ff[0];
+    let tables = library.flip_flop.arc.delay_ns.iter();
+    let delay = tables.map(|table| table.at(reference_slew_ns(library), load)).fold(0.0, f64::max);
+    (delay as f32, library.flip_flop.setup_ns as f32)
 }
 
 /// The truth table over leaves of a cell's function.

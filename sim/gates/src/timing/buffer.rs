@@ -1,5 +1,6 @@
 //! Buffers for nets that many gates read.
 
+use super::drivers;
 use crate::aig::{Aig, Origin};
 use crate::liberty::Library;
 use crate::liberty::function::variable;
@@ -10,14 +11,13 @@ const MOST_READERS: usize = 20;
 
 /// A reader of a net.
 #[derive(Clone, Copy)]
-enum Reader {
+pub(super) enum Reader {
     Gate(usize, usize),
     Data(usize),
 }
 
-/// Splits nets with many readers by buffers, in as many ranks as it takes.
-pub fn buffer(mapped: &mut Mapped, aig: &Aig, library: &Library) {
-    let cell = library.smallest(1, variable(0)).expect("every library read has a buffer");
+/// The readers of each net.
+pub(super) fn readers(mapped: &Mapped) -> Vec<Vec<Reader>> {
     let mut readers: Vec<Vec<Reader>> = vec![Vec::new(); mapped.nets];
     for (position, gate) in mapped.gates.iter().enumerate() {
         for (pin, &net) in gate.inputs.iter().enumerate() {
@@ -27,48 +27,97 @@ pub fn buffer(mapped: &mut Mapped, aig: &Aig, library: &Library) {
     for (position, register) in mapped.registers.iter().enumerate() {
         readers[register.data as usize].push(Reader::Data(position));
     }
-    // The buffers that come before all gates, for nets that no gate drives, and those behind each gate.
-    let mut first: Vec<Gate> = Vec::new();
-    let mut behind: Vec<Vec<Gate>> = vec![Vec::new(); mapped.gates.len()];
-    let mut driver = vec![None; mapped.nets];
-    for (position, gate) in mapped.gates.iter().enumerate() {
-        driver[gate.output as usize] = Some(position);
-    }
-    for net in 0..readers.len() {
-        let lit = mapped.literals[net];
-        let origin = driver[net].map_or_else(
-            || shared_origin(mapped, aig, lit.node(), &readers[net]),
-            |g: usize| mapped.gates[g].origin,
-        );
+    readers
+}
+
+/// Splits nets with many readers by buffers, in as many ranks as it takes.
+pub fn buffer(mapped: &mut Mapped, aig: &Aig, library: &Library) {
+    let cell = library.smallest(1, variable(0)).expect("every library read has a buffer");
+    let mut places = Places::new(mapped);
+    for (net, mut open) in readers(mapped).into_iter().enumerate() {
+        let origin = places.origin(mapped, aig, net, &open);
         let mut ranks: Vec<Gate> = Vec::new();
-        let mut open = std::mem::take(&mut readers[net]);
         while open.len() > MOST_READERS {
             let mut next = Vec::new();
             for group in open.chunks(MOST_READERS) {
-                let output = mapped.nets as u32;
-                mapped.nets += 1;
-                mapped.literals.push(lit);
-                for &reader in group {
-                    redirect(mapped, &mut ranks, reader, output);
-                }
                 // A reader with a number beyond the netlist's gates is a buffer of this net.
                 next.push(Reader::Gate(mapped.gates.len() + ranks.len(), 0));
-                ranks.push(Gate { cell, inputs: vec![net as u32], output, origin });
+                let rank = split(mapped, &mut ranks, net, group, cell, origin);
+                ranks.push(rank);
             }
             open = next;
         }
-        // The last rank drives the first.
-        ranks.reverse();
-        match driver[net] {
-            Some(position) => behind[position] = ranks,
-            None => first.extend(ranks),
+        places.put(net, ranks);
+    }
+    places.rebuild(mapped);
+}
+
+/// Puts one buffer before each of some groups of readers of a net.
+pub(super) fn insert(mapped: &mut Mapped, aig: &Aig, cell: usize, groups: Vec<(usize, Vec<Reader>)>) {
+    let mut places = Places::new(mapped);
+    for (net, group) in groups {
+        let origin = places.origin(mapped, aig, net, &group);
+        let rank = split(mapped, &mut [], net, &group, cell, origin);
+        places.put(net, vec![rank]);
+    }
+    places.rebuild(mapped);
+}
+
+/// A buffer of `net` that a group of readers reads instead.
+fn split(
+    mapped: &mut Mapped,
+    ranks: &mut [Gate],
+    net: usize,
+    group: &[Reader],
+    cell: usize,
+    origin: Origin,
+) -> Gate {
+    let output = mapped.nets as u32;
+    mapped.nets += 1;
+    mapped.literals.push(mapped.literals[net]);
+    for &reader in group {
+        redirect(mapped, ranks, reader, output);
+    }
+    Gate { cell, inputs: vec![net as u32], output, origin }
+}
+
+/// Where new buffers go in the order of gates.
+struct Places {
+    driver: Vec<Option<u32>>,
+    /// Before all gates, for nets that no gate drives.
+    first: Vec<Gate>,
+    /// Behind each gate.
+    behind: Vec<Vec<Gate>>,
+}
+
+impl Places {
+    fn new(mapped: &Mapped) -> Self {
+        Self { driver: drivers(mapped), first: Vec::new(), behind: vec![Vec::new(); mapped.gates.len()] }
+    }
+
+    /// The origin of buffers of a net: its gate's, or else that of all readers' region, or else its own.
+    fn origin(&self, mapped: &Mapped, aig: &Aig, net: usize, readers: &[Reader]) -> Origin {
+        match self.driver[net] {
+            Some(gate) => mapped.gates[gate as usize].origin,
+            None => shared_origin(mapped, aig, mapped.literals[net].node(), readers),
         }
     }
-    let gates = std::mem::take(&mut mapped.gates);
-    mapped.gates = first;
-    for (gate, buffers) in gates.into_iter().zip(behind) {
-        mapped.gates.push(gate);
-        mapped.gates.extend(buffers);
+
+    /// Puts the buffers of a net behind its driver, the last rank first, as it drives the others.
+    fn put(&mut self, net: usize, mut ranks: Vec<Gate>) {
+        ranks.reverse();
+        match self.driver[net] {
+            Some(gate) => self.behind[gate as usize] = ranks,
+            None => self.first.extend(ranks),
+        }
+    }
+
+    fn rebuild(self, mapped: &mut Mapped) {
+        let gates = std::mem::replace(&mut mapped.gates, self.first);
+        for (gate, buffers) in gates.into_iter().zip(self.behind) {
+            mapped.gates.push(gate);
+            mapped.gates.extend(buffers);
+        }
     }
 }
 

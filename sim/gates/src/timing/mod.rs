@@ -4,9 +4,15 @@
 //! that drives four of its kind, as do the inputs.
 
 mod buffer;
+mod hasten;
+mod path;
+mod recover;
 mod size;
 
 pub use buffer::buffer;
+pub use hasten::close;
+pub use path::{Path, Step, drivers, fo4_ns, path};
+use recover::{isolate, recover};
 pub use size::size;
 
 use super::liberty::{Arc, Library, Sense};

@@ -17,25 +17,7 @@ const PATIENCE: usize = 6;
 /// meets `target_ns`. Cells whose load exceeds what the library allows come first. Returns the timing of the result.
 pub fn size(mapped: &mut Mapped, library: &Library, target_ns: f64) -> Timing {
     let families = families(library);
-    let mut timing = analyse(mapped, library);
-    // A larger cell loads its drivers more, so that one round may make the next necessary.
-    for _ in 0..8 {
-        let mut changed = false;
-        for gate in &mut mapped.gates {
-            let load = timing.load_ff[gate.output as usize];
-            if load > library.cells[gate.cell].max_load_ff {
-                let family = &families[&gate.cell];
-                let fits = family.iter().copied().find(|&cell| library.cells[cell].max_load_ff >= load);
-                let cell = fits.or(family.last().copied()).unwrap_or(gate.cell);
-                changed |= cell != gate.cell;
-                gate.cell = cell;
-            }
-        }
-        if !changed {
-            break;
-        }
-        timing = analyse(mapped, library);
-    }
+    let mut timing = fit_loads(mapped, library, &families);
     let mut best: Vec<usize> = mapped.gates.iter().map(|gate| gate.cell).collect();
     let mut best_ns = timing.critical_path_ns;
     let mut waited = 0;
@@ -61,8 +43,36 @@ pub fn size(mapped: &mut Mapped, library: &Library, target_ns: f64) -> Timing {
     analyse(mapped, library)
 }
 
+/// Replaces cells whose load exceeds what the library allows by larger ones. Returns the timing of the result.
+pub(super) fn fit_loads(
+    mapped: &mut Mapped,
+    library: &Library,
+    families: &BTreeMap<usize, Vec<usize>>,
+) -> Timing {
+    let mut timing = analyse(mapped, library);
+    // A larger cell loads its drivers more, so that one round may make the next necessary.
+    for _ in 0..8 {
+        let mut changed = false;
+        for gate in &mut mapped.gates {
+            let load = timing.load_ff[gate.output as usize];
+            if load > library.cells[gate.cell].max_load_ff {
+                let family = &families[&gate.cell];
+                let fits = family.iter().copied().find(|&cell| library.cells[cell].max_load_ff >= load);
+                let cell = fits.or(family.last().copied()).unwrap_or(gate.cell);
+                changed |= cell != gate.cell;
+                gate.cell = cell;
+            }
+        }
+        if !changed {
+            break;
+        }
+        timing = analyse(mapped, library);
+    }
+    timing
+}
+
 /// For each cell, those of equal function, the smallest first.
-fn families(library: &Library) -> BTreeMap<usize, Vec<usize>> {
+pub(super) fn families(library: &Library) -> BTreeMap<usize, Vec<usize>> {
     let mut by_function: BTreeMap<(usize, u64), Vec<usize>> = BTreeMap::new();
     for (position, cell) in library.cells.iter().enumerate() {
         by_function.entry((cell.inputs.len(), cell.function)).or_default().push(position);
@@ -133,7 +143,7 @@ fn upsize(
     any
 }
 
-fn slope(delay: impl Fn(f64) -> f64, load: f64) -> f64 {
+pub(super) fn slope(delay: impl Fn(f64) -> f64, load: f64) -> f64 {
     (delay(load + 1.0) - delay(load)).max(0.0)
 }
 

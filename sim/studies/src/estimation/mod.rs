@@ -1,8 +1,11 @@
 //! A report of area, energy and speed of the pipelines, beside the published figures.
 
+mod clock;
+mod curve;
 mod numbers;
 mod report;
 mod synthesis;
+mod timing_report;
 
 use crate::artifacts::Artifacts;
 use crate::input::SceneSource;
@@ -13,14 +16,17 @@ use estimate::{
     Scaling, Workload, cost,
 };
 use gates::liberty::{embedded, load};
-use gates::words::Structures;
+use gates::timing::fo4_ns;
 use golden::build::Quality;
 use netlist::inventory;
 use pipelines::catalogue::Top;
+use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+pub use clock::{Clock, ClockRow};
+pub use curve::CurveRow;
 pub use synthesis::SynthesisRow;
 
 /// The libraries to map to, the scenes to measure on, and the folder of the report.
@@ -28,6 +34,10 @@ pub use synthesis::SynthesisRow;
 pub struct Options {
     /// Liberty files of cell libraries; if there are none, the embedded library is used.
     pub liberty: Vec<PathBuf>,
+    /// The clock to map for; if there is none, cells are mapped for area and then sized for speed.
+    pub clock: Option<Clock>,
+    /// Also maps both pipelines for several clocks, and writes area and energy against the clock into the folder `out`.
+    pub curve: bool,
     /// Also synthesises the exported Verilog with yosys and ABC.
     pub synthesis: bool,
     /// The scenes on whose rays energy is measured. All tables but that of the scenes show the first.
@@ -55,6 +65,8 @@ pub struct Estimates {
     pub scenes: Vec<SceneRow>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub synthesis: Vec<SynthesisRow>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub curve: Vec<CurveRow>,
 }
 
 /// The standard cells.
@@ -66,6 +78,10 @@ pub struct LibraryRow {
     pub node_nm: Option<u32>,
     pub voltage_v: f64,
     pub gate_equivalent_um2: f64,
+    /// Delay of an inverter that drives four of its kind.
+    pub fo4_ps: f64,
+    /// That inverter.
+    pub fo4_inverter: String,
     /// Factors to 65 nm, where there are any.
     pub scaling: Option<Scaling>,
 }
@@ -128,9 +144,18 @@ pub struct PipelineRow {
     pub leakage_uw: f64,
     pub critical_path_ns: f64,
     pub clock_mhz: f64,
+    pub clock: ClockRow,
     pub modules: Vec<ModuleRow>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub node_types: Vec<TypeRow>,
+}
+
+impl Estimates {
+    /// Whether a pipeline is too slow for the clock that was asked for.
+    #[must_use]
+    pub fn misses_clock(&self) -> bool {
+        self.pipelines.iter().chain(&self.lean_pipelines).any(|pipeline| pipeline.clock.is_missed())
+    }
 }
 
 impl PipelineRow {
@@ -178,6 +203,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
         !args.synthesis || args.liberty.len() == 1,
         "--synth needs one --liberty FILE, which yosys and ABC map to as well"
     );
+    ensure!(!args.curve || args.out.is_some(), "--curve writes files: name a folder with --out DIR");
     let library = if args.liberty.is_empty() { embedded() } else { load(&args.liberty)? };
     let workloads = (args.scenes.iter())
         .map(|scene| Ok(Workload::new(&scene.load(progress)?, args.quality)?))
@@ -187,12 +213,12 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
     let workload = workloads.first().context("--scene names no scene")?;
     let tops = [Top::DualSplit, Top::RayBox, Top::DualSplitLean, Top::RayBoxLean];
     let part = Part::begin(progress, (tops.len() + workloads.len()) as u64 + 1, "mapping and measuring");
+    let implementations = (tops.into_par_iter())
+        .map(|top| Clock::implementation(args.clock, top, &library))
+        .collect::<Result<Vec<Implementation>, EstimateError>>()?;
     let mut rows = Vec::new();
-    let mut implementations = Vec::new();
-    for top in tops {
-        let implementation = Implementation::new(top, &library, Structures::default())?;
-        rows.push(pipeline(&implementation, workload)?);
-        implementations.push(implementation);
+    for implementation in &implementations {
+        rows.push(pipeline(implementation, workload, args.clock)?);
         part.advance(1);
     }
     let mut scenes = Vec::new();
@@ -211,6 +237,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
     } else {
         Vec::new()
     };
+    let curve = if args.curve { curve::run(args, &library, workload, progress)? } else { Vec::new() };
     let lean_pipelines = rows.split_off(2);
     let estimates = Estimates {
         scene: workload.scene.clone(),
@@ -220,6 +247,8 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
             node_nm: library.node_nm,
             voltage_v: library.voltage_v,
             gate_equivalent_um2: library.gate_equivalent_um2(),
+            fo4_ps: 1e3 * fo4_ns(&library),
+            fo4_inverter: library.cells[library.inverter()].name.clone(),
             scaling: Scaling::of(&library),
         },
         provenance: numbers::provenance(&library),
@@ -228,6 +257,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
         pipelines: rows,
         lean_pipelines,
         synthesis,
+        curve,
     };
     let sections = report::sections(&estimates);
     let text = report::text(&sections);
@@ -238,12 +268,19 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
         artifacts.write("estimate.json", &json)?;
         artifacts.write("estimate.csv", &numbers::csv(&estimates)?)?;
         artifacts.write("estimate.html", report::html(&sections).as_bytes())?;
+        if args.curve {
+            curve::write(&estimates.curve, &mut artifacts)?;
+        }
         files = artifacts.finish()?;
     }
     Ok((estimates, text, files))
 }
 
-fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Result<PipelineRow> {
+fn pipeline(
+    implementation: &Implementation,
+    workload: &Workload,
+    clock: Option<Clock>,
+) -> anyhow::Result<PipelineRow> {
     let top = implementation.top;
     let counts = inventory(&implementation.design)?;
     let count = |kind: &str| counts.units.get(kind).copied().unwrap_or(0);
@@ -307,6 +344,7 @@ fn pipeline(implementation: &Implementation, workload: &Workload) -> anyhow::Res
         leakage_uw: implementation.leakage_nw() / 1e3,
         critical_path_ns: implementation.timing.critical_path_ns,
         clock_mhz: implementation.timing.clock_mhz(),
+        clock: ClockRow::of(implementation, clock),
         modules: implementation.modules(),
         node_types,
     })

@@ -1,6 +1,7 @@
 //! The report as text and as an HTML fragment.
 
 use super::numbers::parts;
+use super::timing_report::{clocks, curve, stages};
 use super::{Estimates, PipelineRow};
 use crate::table::{fixed, table};
 use estimate::{Breakdown, NodeType, TARGET_NODE_NM};
@@ -14,7 +15,7 @@ pub struct Section {
     notes: Vec<String>,
 }
 
-fn section<const N: usize>(
+pub(super) fn section<const N: usize>(
     title: impl Into<String>,
     header: [&str; N],
     rows: Vec<[String; N]>,
@@ -67,6 +68,8 @@ pub fn html(sections: &[Section]) -> String {
 /// The sections of the report, in the order in which they are printed.
 pub fn sections(document: &Estimates) -> Vec<Section> {
     let mut sections = vec![comparison(document), ratios(document)];
+    sections.push(clocks(document));
+    sections.extend(document.pipelines.iter().map(stages));
     sections.push(breakdowns(document));
     sections.push(node_types(document));
     sections.push(scenes(document));
@@ -75,6 +78,9 @@ pub fn sections(document: &Estimates) -> Vec<Section> {
     }
     if !document.synthesis.is_empty() {
         sections.push(synthesis(document));
+    }
+    if !document.curve.is_empty() {
+        sections.push(curve(document));
     }
     sections
 }

@@ -6,6 +6,7 @@ use clap::Args;
 use pipelines::catalogue::{StandardFormat, Top};
 use std::ffi::OsString;
 use std::path::PathBuf;
+use studies::estimation::Clock;
 
 #[derive(Args, Debug)]
 pub struct CheckArgs {
@@ -88,6 +89,15 @@ pub struct EstimateArgs {
     /// [default: the embedded library].
     #[arg(long, value_name = "FILE")]
     pub liberty: Vec<PathBuf>,
+    /// Map for a clock, such as 1GHz, 500ps, 2ns or 40fo4 (delays of an inverter that drives four of its kind), with the least
+    /// area, or for the fastest: gates are restructured, mapped for delay, buffered and sized, and proved equal to their source.
+    /// Exit code 1 if a pipeline misses the clock [default: map for area, then size for speed].
+    #[arg(long, value_name = "CLOCK")]
+    pub clock: Option<Clock>,
+    /// Also map both pipelines for five clocks, and write area and energy against the clock as curve.csv, curve-area.svg and
+    /// curve-energy.svg, beside the best of ABC's scripts where ABC is installed and --liberty is given. This takes minutes.
+    #[arg(long, requires = "out")]
+    pub curve: bool,
     /// Also synthesise the exported Verilog with yosys and ABC, which takes minutes, and print both results.
     #[arg(long)]
     pub synth: bool,

@@ -8,6 +8,8 @@ use studies::input::display_all;
 pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         liberty: args.liberty.clone(),
+        clock: args.clock,
+        curve: args.curve,
         synthesis: args.synth,
         scenes: args.load.sources(&args.scene, Drawn::Scenes, global)?,
         quality: args.quality.quality,
@@ -15,5 +17,7 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
         force: global.force,
     };
     let (estimates, text, files) = estimation::run(&options, &Bars::new(global.quiet))?;
-    Ok(Report::new(&estimates, text, display_all(&files)).in_folder(args.out.clone()))
+    let mut report = Report::new(&estimates, text, display_all(&files)).in_folder(args.out.clone());
+    report.difference = estimates.misses_clock();
+    Ok(report)
 }
