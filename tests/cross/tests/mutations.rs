@@ -67,7 +67,7 @@ fn faults() -> Vec<Row> {
         (FpAdd, "fp_add", "nan", Constant(0), "infinity - infinity is infinity"),
         (FpAdd, "fp_add", "infinity", Constant(0), "infinite operands taken for numbers"),
         (FpAdd, "fp_add", "exponent", Increment, "exponent off by one"),
-        (FpAdd, "fp_unpack", "exponent", with("code"), "subnormals' exponent taken as 0, not 1"),
+        (FpAdd, "fp_unpack", "exponent", with("encoded_exponent"), "subnormals' exponent taken as 0, not 1"),
         (FpAdd, "fp_unpack", "significand", with("significand_1"), "subnormals given a hidden bit"),
         // Rounding.
         (FpAdd, "rounder", "magnitude_2", carry.clone(), "missed carry into the exponent (sum)"),
