@@ -44,7 +44,10 @@ impl Grid {
             last - first <= 255.0
                 && first.abs().max(last.abs()).max((first + 255.0).abs()) <= f64::from(1 << 24)
         };
-        let exponent = (1..0xff)
+        // No finer step reaches around, or has binary32 numbers as planes.
+        let least = ((high - low) / 256.0).max(low.abs().max(high.abs()) / f64::from(1 << 24));
+        let first = ((least as f32).to_bits() >> 23).max(1);
+        let exponent = (first..0xff)
             .find(|exponent| fits(f64::from(step(*exponent))))
             .expect("coordinates are at most scenes::MAX_COORDINATE");
         let step = f64::from(step(exponent));
