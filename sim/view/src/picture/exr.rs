@@ -9,10 +9,13 @@
 //! | `counters.node_visits`, `.plane_tests`, `.box_tests`, `.triangle_tests`, `.stack_depth` | uint | work of all rays of the pixel |
 
 use super::Picture;
-use exr::meta::MetaData;
+use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::*;
 use render::{Pixel, Rendering};
 use std::io::{BufRead, Cursor, Seek};
+
+/// The most bytes of a tile or of a block of lines, before compression. A block that the file holds in part takes as much.
+const MOST_BLOCK_BYTES: usize = 1 << 28;
 
 /// The bytes of an EXR file with all channels of `rendering`.
 ///
@@ -78,8 +81,18 @@ fn write(layer: Layer<AnyChannels<FlatSamples>>) -> Vec<u8> {
 pub(super) fn decode(mut source: impl BufRead + Seek) -> std::result::Result<Picture<f32>, String> {
     // The sizes come first: the reader makes room for a picture before it looks at its pixels.
     let headers = MetaData::read_from_buffered(&mut source, false).map_err(|e| e.to_string())?.headers;
-    for size in headers.iter().map(|header| header.layer_size) {
-        super::check_size(size.width() as u64, size.height() as u64)?;
+    for header in &headers {
+        let tile = match header.blocks {
+            BlockDescription::Tiles(tiles) => Some(tiles.tile_size),
+            BlockDescription::ScanLines => None,
+        };
+        for size in [header.layer_size].into_iter().chain(tile) {
+            super::check_size(size.width() as u64, size.height() as u64)?;
+        }
+        let block_bytes = header.max_block_byte_size();
+        if block_bytes > MOST_BLOCK_BYTES {
+            return Err(format!("blocks of {block_bytes} bytes; at most {MOST_BLOCK_BYTES} are read"));
+        }
     }
     source.rewind().map_err(|e| e.to_string())?;
     let image = read()
@@ -174,5 +187,24 @@ mod tests {
         let at = file.windows(17).position(|bytes| bytes == b"dataWindow\0box2i\0").unwrap() + 17 + 4 + 8;
         file[at..at + 8].copy_from_slice(&[19_999i32.to_le_bytes(); 2].concat());
         assert!(decode(Cursor::new(&file)).unwrap_err().starts_with("20000 x 20000 pixels"));
+    }
+
+    /// A tile's size is read before its pixels are, and may be larger than the picture.
+    #[test]
+    fn a_tile_that_would_fill_memory_is_refused() {
+        let pixel = |_| (0.0f32, 0.5f32, 1.0f32);
+        let mut bytes = Cursor::new(vec![]);
+        let image = Image::from_channels((9, 7), SpecificChannels::rgb(pixel));
+        image.write().non_parallel().to_buffered(&mut bytes).unwrap();
+        let file = bytes.into_inner();
+        let at = file.windows(15).position(|bytes| bytes == b"tiles\0tiledesc\0").unwrap() + 15 + 4;
+        let with_tile = |size: [i32; 2]| {
+            let mut file = file.clone();
+            file[at..at + 8].copy_from_slice(&size.map(i32::to_le_bytes).concat());
+            decode(Cursor::new(file)).map(|picture| picture.pixels.len())
+        };
+        assert_eq!(with_tile([64, 64]), Ok(63));
+        assert!(with_tile([1 << 24, 64]).unwrap_err().starts_with("16777216 x 64 pixels"));
+        assert!(with_tile([8192, 8192]).unwrap_err().starts_with("blocks of 805306368 bytes"));
     }
 }
