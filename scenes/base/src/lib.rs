@@ -5,6 +5,7 @@
 //! | [`split_mix`] | random bits that are the same on every machine |
 //! | [`input`] | the bytes of files, unpacked, within limits |
 //! | [`output`] | files that appear whole or not at all |
+//! | [`toml_text`] | TOML of users, within limits |
 //! | [`guard`] | no file is both read and written |
 //!
 //! ```
@@ -26,3 +27,4 @@ pub mod guard;
 pub mod input;
 pub mod output;
 pub mod split_mix;
+pub mod toml_text;

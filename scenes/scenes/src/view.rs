@@ -64,7 +64,7 @@ pub(crate) fn apply(path: &Path, camera: &mut Camera) -> Result<(), ViewError> {
     }
     let line_of =
         |at: usize| text.as_bytes()[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count() + 1;
-    let view: View = toml::from_str(&text).map_err(|e| {
+    let view: View = base::toml_text::parse(&text).map_err(|e| {
         let line = e.span().map(|span| line_of(span.start));
         let key = line
             .and_then(|line| text.lines().nth(line - 1))

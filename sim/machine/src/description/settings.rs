@@ -14,7 +14,7 @@ pub(super) fn parse(
         message: shortened(&error.to_string()),
     };
     // Before the settings, for messages that quote the line of the file.
-    let machine: MachineDescription = toml::from_str(text).map_err(invalid)?;
+    let machine: MachineDescription = base::toml_text::parse(text).map_err(invalid)?;
     if settings.is_empty() {
         return Ok(machine);
     }
@@ -54,7 +54,8 @@ fn apply(table: &mut Table, setting: &str) -> Result<(), DescriptionError> {
         };
     }
     // A bare word is a string.
-    let parsed = format!("x = {value}").parse::<Table>().ok().and_then(|mut table| table.remove("x"));
+    let parsed =
+        base::toml_text::parse::<Table>(&format!("x = {value}")).ok().and_then(|mut table| table.remove("x"));
     at.insert(last.to_owned(), parsed.unwrap_or_else(|| Value::String(value.to_owned())));
     Ok(())
 }

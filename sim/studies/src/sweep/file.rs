@@ -80,8 +80,8 @@ impl SweepFile {
     /// # Errors
     /// The message names the key or the line.
     pub fn parse(text: &str) -> anyhow::Result<Self> {
-        let written: Written =
-            toml::from_str(text).map_err(|error| anyhow::anyhow!("{}", error.to_string().trim_end()))?;
+        let written: Written = base::toml_text::parse(text)
+            .map_err(|error| anyhow::anyhow!("{}", error.to_string().trim_end()))?;
         let mut set = vec![];
         flatten("", &written.set, &mut set)?;
         let or =
