@@ -89,7 +89,7 @@ pub struct ModuleRow {
     pub levels: u32,
 }
 
-/// A pipeline as gates, before it is mapped.
+/// A unit or a pipeline as gates, before it is mapped.
 #[derive(Clone, Debug)]
 pub(super) struct Source {
     top: Top,
@@ -108,9 +108,6 @@ impl Source {
         library: &Library,
         structures: Structures,
     ) -> Result<Self, EstimateError> {
-        if !matches!(top, Top::DualSplit | Top::DualSplitLean | Top::RayBox | Top::RayBoxLean) {
-            return Err(EstimateError::NoPipeline(top));
-        }
         let design = top.design(format)?;
         let flat = flatten(&design)?;
         let structures = structures.fitted(library);
@@ -180,11 +177,14 @@ impl<'l> Implementation<'l> {
         library: &'l Library,
         structures: Structures,
     ) -> Result<Self, EstimateError> {
+        if !matches!(top, Top::DualSplit | Top::DualSplitLean | Top::RayBox | Top::RayBoxLean) {
+            return Err(EstimateError::NoPipeline(top));
+        }
         let source = Source::new(top, format, library, structures)?;
         let mut mapped = map(&source.graph, library)?;
         buffer(&mut mapped, &source.graph, library);
         let timing = size(&mut mapped, library, 0.0);
-        let recipe = Recipe::default();
+        let recipe = Recipe::Own { rounds: 0, slower: None };
         Ok(source.implemented(mapped, timing, library, recipe))
     }
 

@@ -34,7 +34,7 @@ pub use breakdown::Breakdown;
 pub use clock::{Mappings, Recipe};
 pub use implementation::{EnergyReport, Implementation, ModuleRow};
 pub use paper::PaperFigures;
-pub use scaling::{Scaling, TARGET_NODE_NM, TARGET_VOLTAGE_V};
+pub use scaling::{PAPER_CLOCK_FO4, Scaling, TARGET_NODE_NM, TARGET_VOLTAGE_V};
 pub use stages::{StageRow, Stretch};
 pub use workload::{NodeType, Workload};
 
@@ -193,8 +193,10 @@ pub fn cost(
             glue_area_um2: area.glue,
             glue_energy_pj: energy_fj.glue / 1e3,
             source: format!(
-                "our netlist mapped to {} ({} V), without wires; zero-delay energy",
-                library.source, library.voltage_v
+                "our netlist mapped to {} ({} V), {}, without wires; zero-delay energy",
+                library.source,
+                library.voltage_v,
+                implementation.speed()
             ),
         }),
         Method::Scaled(_) => {
@@ -205,7 +207,12 @@ pub fn cost(
                 energy_pj: energy_fj.logic() * scaling.energy / 1e3,
                 glue_area_um2: area.glue * scaling.area,
                 glue_energy_pj: energy_fj.glue * scaling.energy / 1e3,
-                source: format!("our netlist mapped to {}, {}", library.source, scaling.source()),
+                source: format!(
+                    "our netlist mapped to {}, {}, {}",
+                    library.source,
+                    implementation.speed(),
+                    scaling.source()
+                ),
             })
         }
     }

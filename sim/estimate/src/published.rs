@@ -39,10 +39,11 @@ pub fn cost(
         glue_area_um2,
         glue_energy_pj,
         source: format!(
-            "units: {} x our counts; glue: {gates:.0} gate equivalents of our netlist in {} at {GATE_EQUIVALENT_UM2} um2 \
+            "units: {} x our counts; glue: {gates:.0} gate equivalents of our netlist in {}, {}, at {GATE_EQUIVALENT_UM2} um2 \
              (1.20..1.67), its zero-delay energy {}",
             costs::SOURCE,
             library.name,
+            implementation.speed(),
             scaling.source()
         ),
     })

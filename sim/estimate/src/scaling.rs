@@ -16,6 +16,10 @@ pub const AREA_ERROR: f64 = 0.3;
 /// The scaled energies of one netlist in three open libraries differ by this factor from least to most.
 pub const ENERGY_ERROR_FACTOR: f64 = 4.0;
 
+/// The paper's clock, 1 GHz at 65 nm, in delays of an inverter that drives four of its kind: such a delay takes a third to a half of
+/// a picosecond for each nanometre of the node (Weste, Harris, "CMOS VLSI Design", 4th edition, 2011).
+pub const PAPER_CLOCK_FO4: std::ops::RangeInclusive<u32> = 31..=46;
+
 /// Factors from a library's technology to 65 nm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Scaling {
@@ -62,6 +66,20 @@ impl Scaling {
             energy: to(TARGET_VOLTAGE_V)?,
             energy_range: [low?, high?],
         })
+    }
+
+    /// The factor of area, with the least and the most that it may be.
+    #[must_use]
+    pub fn area_bar(&self) -> [f64; 3] {
+        [1.0, 1.0 - AREA_ERROR, 1.0 + AREA_ERROR].map(|share| share * self.area)
+    }
+
+    /// The factor of energy, with the least and the most that it may be: by supply voltage, and by library.
+    #[must_use]
+    pub fn energy_bar(&self) -> [f64; 3] {
+        let [low, high] = self.energy_range;
+        let library = ENERGY_ERROR_FACTOR.sqrt();
+        [self.energy, low / library, high * library]
     }
 
     /// The source of a scaled number, with its error bar.

@@ -10,6 +10,7 @@ use std::process::{Command, Stdio};
 use crate::aig::{Aig, Lit, Node, Origin};
 use crate::aiger::{self, Form};
 use crate::liberty::{LibertyError, Library, file_text};
+use crate::map::netlist::{clock_gating, enables};
 use crate::map::{Gate, Mapped, Register};
 use crate::prove::copy;
 
@@ -76,8 +77,8 @@ pub fn installed() -> Option<&'static str> {
     ["yosys-abc", "berkeley-abc"].into_iter().find(starts)
 }
 
-/// Maps a graph by a script within each of some delays in picoseconds. The latches have to take a value at each edge (see
-/// [`Aig::multiplex_enables`]). Files go into `folder`.
+/// Maps a graph by a script within each of some delays in picoseconds. Files go into `folder`. ABC sees no origins: a cell gets
+/// the one that [`Mapped::attribute`] finds.
 ///
 /// # Errors
 /// [`AbcError`] when ABC is missing or refuses, or uses a cell that `library` has not.
@@ -130,7 +131,7 @@ pub fn map(
     Ok(mapped)
 }
 
-/// The logic between registers: a latch's output is an input, its data an output.
+/// The logic between registers: a latch's output is an input; its data is an output, as is each enable.
 fn between_registers(aig: &Aig) -> Aig {
     let mut result = Aig::default();
     let count = aig.inputs().len();
@@ -142,7 +143,8 @@ fn between_registers(aig: &Aig) -> Aig {
         Node::False | Node::And(..) => Lit::FALSE,
     });
     let data = aig.latches().iter().map(|latch| latch.data);
-    for (position, lit) in aig.outputs.iter().map(|output| output.lit).chain(data).enumerate() {
+    let outputs = aig.outputs.iter().map(|output| output.lit);
+    for (position, lit) in outputs.chain(data).chain(enables(aig)).enumerate() {
         result.add_output(format!("o{position}"), map[lit.node()].complement_if(lit.is_complemented()));
     }
     result
@@ -217,7 +219,7 @@ fn read(text: &str, aig: &Aig, library: &Library) -> Result<Mapped, AbcError> {
         net
     };
     if inputs.len() != aig.inputs().len() + aig.latches().len()
-        || outputs.len() != aig.outputs.len() + aig.latches().len()
+        || outputs.len() != aig.outputs.len() + aig.latches().len() + enables(aig).count()
     {
         return Err(wrong("it has other ports than the graph"));
     }
@@ -225,7 +227,8 @@ fn read(text: &str, aig: &Aig, library: &Library) -> Result<Mapped, AbcError> {
         gate.inputs.iter_mut().for_each(|net| *net = driver(*net));
     }
     let registers = inputs.split_off(aig.inputs().len());
-    let data = outputs.split_off(aig.outputs.len());
+    let mut data = outputs.split_off(aig.outputs.len());
+    let gated = data.split_off(aig.latches().len());
     let registers = (registers.into_iter().zip(data).enumerate())
         .map(|(latch, (output, data))| {
             let origin = aig.latches()[latch].origin;
@@ -235,13 +238,13 @@ fn read(text: &str, aig: &Aig, library: &Library) -> Result<Mapped, AbcError> {
     let mut mapped = Mapped {
         gates: in_order(gates, count as usize).ok_or_else(|| wrong("it has a loop"))?,
         registers,
-        clock_gating: Vec::new(),
+        clock_gating: clock_gating(aig, gated.into_iter().map(driver)),
         inputs,
         outputs: outputs.into_iter().map(driver).collect(),
         nets: count as usize,
         literals: Vec::new(),
     };
-    mapped.literals = mapped.function(aig, library).1;
+    mapped.attribute(aig, library);
     Ok(mapped)
 }
 

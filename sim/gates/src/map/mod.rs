@@ -9,9 +9,10 @@
 //! Within a delay, the fastest cover comes first. Every later choice has to arrive when its users need it. Before cells have
 //! sizes and loads, a cell's delay is estimated by the load that suits it (see [`Patterns`]).
 
+mod attribute;
 mod cover;
 pub(crate) mod cuts;
-mod netlist;
+pub(crate) mod netlist;
 mod patterns;
 mod verilog;
 

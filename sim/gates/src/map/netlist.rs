@@ -1,6 +1,6 @@
 //! The mapped netlist: cells and nets.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use super::MapError;
 use super::cover::{Choice, Cover, operands};
@@ -40,6 +40,8 @@ pub struct Register {
 pub struct ClockGating {
     /// The net of the enable.
     pub enable: u32,
+    /// The enable in the graph that was mapped.
+    pub condition: Lit,
     /// Number of flip-flops.
     pub registers: usize,
     /// Number of clock gates.
@@ -108,23 +110,28 @@ pub fn build(aig: &Aig, library: &Library, cover: &Cover) -> Result<Mapped, MapE
             mapped.gates.push(Gate { cell, inputs, output: lit.code(), origin });
         }
     }
-    let mut enables: BTreeMap<u32, usize> = BTreeMap::new();
     for (latch, found) in aig.latches().iter().enumerate() {
         let (data, output) = (found.data.code(), found.lit.code());
         mapped.registers.push(Register { latch, data, output, origin: found.origin });
-        if found.enable != Lit::TRUE {
-            *enables.entry(found.enable.code()).or_default() += 1;
-        }
     }
     own_inverters(aig, &mut mapped);
-    mapped.clock_gating = (enables.into_iter())
-        .map(|(enable, registers)| ClockGating {
-            enable,
-            registers,
-            gates: registers.div_ceil(REGISTERS_PER_GATE),
-        })
-        .collect();
+    mapped.clock_gating = clock_gating(aig, enables(aig).map(Lit::code));
     Ok(mapped)
+}
+
+/// The enables that stop the clock of some latch, in the order of their codes.
+pub(crate) fn enables(aig: &Aig) -> impl Iterator<Item = Lit> {
+    let all: BTreeSet<Lit> = aig.latches().iter().map(|latch| latch.enable).collect();
+    all.into_iter().filter(|&enable| enable != Lit::TRUE)
+}
+
+/// Clock gates for each of the [`enables`], which are on the nets `nets`.
+pub(crate) fn clock_gating(aig: &Aig, nets: impl Iterator<Item = u32>) -> Vec<ClockGating> {
+    let gating = |(condition, enable)| {
+        let registers = aig.latches().iter().filter(|latch| latch.enable == condition).count();
+        ClockGating { enable, condition, registers, gates: registers.div_ceil(REGISTERS_PER_GATE) }
+    };
+    enables(aig).zip(nets).map(gating).collect()
 }
 
 /// An inverter behind an input or a register belongs to the region that reads it, if that is one.
@@ -175,8 +182,9 @@ impl Mapped {
         }
         for register in &self.registers {
             // With a clock gate, the enable is its input; the flip-flop takes its data at each edge that passes.
-            let enable = source.latches()[register.latch].enable;
-            let enable = if self.clock_gating.is_empty() { Lit::TRUE } else { value(&nets, enable.code()) };
+            let condition = source.latches()[register.latch].enable;
+            let gating = self.clock_gating.iter().find(|gating| gating.condition == condition);
+            let enable = gating.map_or(Lit::TRUE, |gating| value(&nets, gating.enable));
             aig.drive_latch(register.latch, value(&nets, register.data), enable);
         }
         for (output, net) in source.outputs.iter().zip(&self.outputs) {

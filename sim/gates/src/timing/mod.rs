@@ -11,7 +11,7 @@ mod size;
 
 pub use buffer::buffer;
 pub use hasten::close;
-pub use path::{Path, Step, drivers, fo4_ns, path};
+pub use path::{Path, Step, drivers, fo4, fo4_ns, path};
 use recover::{isolate, recover};
 pub use size::size;
 

@@ -1,10 +1,8 @@
 //! The clock that is asked for, and whether a pipeline meets it.
 
-use estimate::{EstimateError, Implementation, Mappings, StageRow};
+use estimate::{Implementation, StageRow};
 use gates::liberty::Library;
 use gates::timing::fo4_ns;
-use gates::words::Structures;
-use pipelines::catalogue::Top;
 use serde::Serialize;
 use std::str::FromStr;
 
@@ -63,18 +61,6 @@ impl Clock {
             Self::Fo4(fo4) => fo4 * fo4_ns(library),
         }
     }
-
-    /// The pipeline, mapped for a clock, or as without one.
-    pub(super) fn implementation(
-        clock: Option<Self>,
-        top: Top,
-        library: &Library,
-    ) -> Result<Implementation<'_>, EstimateError> {
-        match clock {
-            None => Implementation::new(top, library, Structures::default()),
-            Some(clock) => Mappings::new(top, library)?.within(clock.period_ns(library)),
-        }
-    }
 }
 
 /// The clock that a pipeline's numbers hold for.
@@ -125,6 +111,33 @@ impl ClockRow {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::estimation::timing_report::missed;
+    use estimate::Mappings;
+    use gates::liberty::embedded;
+    use pipelines::catalogue::Top;
+
+    #[test]
+    fn a_missed_clock_has_its_slack_and_path() {
+        let library = embedded();
+        let mappings = Mappings::new(Top::FpCmp, &library).unwrap();
+        for (text, is_missed) in [("50ps", true), ("200fo4", false)] {
+            let clock: Clock = text.parse().unwrap();
+            let found = mappings.within(clock.period_ns(&library)).unwrap();
+            let row = ClockRow::of(&found, Some(clock));
+            assert_eq!(row.is_missed(), is_missed, "{text}");
+            let (longest, slack_ns) = (row.longest().unwrap(), row.slack_ns.unwrap());
+            assert!((row.period_ns - longest.path_ns - slack_ns).abs() < 1e-12, "{text}");
+            assert_eq!(missed("it", &row).is_some(), is_missed, "{text}");
+        }
+        let found = mappings.within(0.05).unwrap();
+        let note = missed("it", &ClockRow::of(&found, Some(Clock::Ns(0.05)))).unwrap();
+        assert!(
+            note.starts_with("it misses the clock by ") && note.contains(", in stage 1, from "),
+            "{note}"
+        );
+        // Without a clock there is none to miss.
+        assert!(missed("it", &ClockRow::of(&found, None)).is_none());
+    }
 
     #[test]
     fn clocks_and_what_is_none() {

@@ -1,14 +1,12 @@
 //! Area and energy of both pipelines against the clock, by our mapper and by ABC's best script where ABC is installed.
-//!
-//! ABC knows no clock gates, so that on both sides a multiplexer before each register keeps its value.
 
 use super::Options;
+use super::mapper::by_abc;
 use crate::artifacts::Artifacts;
 use crate::progress::{Part, Progress};
 use anyhow::Context;
-use base::output::Unfinished;
 use estimate::{EstimateError, Implementation, Mappings, Workload};
-use gates::abc::{SCRIPTS, installed};
+use gates::abc::installed;
 use gates::liberty::Library;
 use gates::timing::fo4_ns;
 use pipelines::catalogue::Top;
@@ -17,8 +15,6 @@ use view::plot::{Axis, Chart, Point, Series, Style};
 
 /// The clocks, in multiples of the shortest period that our mapper reaches.
 const CLOCKS: [f64; 5] = [1.0, 1.1, 1.25, 1.5, 2.0];
-/// Further delays that ABC is asked for, in the same multiples: it may meet a clock with less area if asked for another.
-const FURTHER: [f64; 2] = [0.8, 0.9];
 
 /// A pipeline at a clock.
 #[derive(Clone, Debug, Serialize)]
@@ -44,61 +40,51 @@ pub(super) fn run(
     workload: &Workload,
     progress: &dyn Progress,
 ) -> anyhow::Result<Vec<CurveRow>> {
-    let library = Library { clock_gate: None, ..library.clone() };
-    let folder = tempfile::tempdir().context("a temporary folder cannot be made")?;
-    let _unfinished = Unfinished::new(folder.path());
+    let with_abc = installed().is_some() && !args.liberty.is_empty();
+    let tops = [Top::DualSplit, Top::RayBox];
+    let steps = 1 + CLOCKS.len() + usize::from(with_abc);
+    let part = Part::begin(progress, (steps * tops.len()) as u64, "mapping for several clocks");
     let mut rows = Vec::new();
-    for top in [Top::DualSplit, Top::RayBox] {
-        let part = Part::endless(progress, &format!("mapping {top} for {} clocks", CLOCKS.len()));
-        let mappings = Mappings::new(top, &library)?;
-        let fastest = mappings.within(0.0)?;
-        let shortest_ns = fastest.timing.critical_path_ns;
-        let row = |clock_ns: f64, flow: &'static str, found: Option<(&Implementation, String)>| {
-            let energy = |found: &Implementation| -> Result<f64, EstimateError> {
-                Ok(found.zero_delay_energy(&workload.streams(found)?).0.total() / 1e3)
-            };
-            let (implementation, mapping) = found.unzip();
-            anyhow::Ok(CurveRow {
+    for top in tops {
+        progress.next(&format!("covers of {top}"));
+        let mappings = Mappings::new(top, library)?;
+        part.advance(1);
+        let row = |flow: &'static str, clock_ns: f64, found: &Implementation| -> Result<_, EstimateError> {
+            let is_met = found.timing.critical_path_ns <= clock_ns;
+            let met = |value: f64| is_met.then_some(value);
+            let energy = found.zero_delay_energy(&workload.streams(found)?).0.total() / 1e3;
+            Ok(CurveRow {
                 pipeline: top.name(),
                 flow,
                 clock_ns,
-                clock_fo4: clock_ns / fo4_ns(&library),
-                mapping: mapping.unwrap_or_default(),
-                critical_path_ns: implementation.map(|found| found.timing.critical_path_ns),
-                logic_area_um2: implementation.map(Implementation::logic_um2),
-                register_area_um2: implementation.map(|found| found.area().registers),
-                energy_pj: implementation.map(energy).transpose()?,
+                clock_fo4: clock_ns / fo4_ns(library),
+                mapping: if is_met { found.recipe.to_string() } else { String::new() },
+                critical_path_ns: met(found.timing.critical_path_ns),
+                logic_area_um2: met(found.logic_um2()),
+                register_area_um2: met(found.area().registers),
+                energy_pj: met(energy),
             })
         };
-        for factor in CLOCKS {
-            let found = mappings.within(factor * shortest_ns)?;
-            rows.push(row(factor * shortest_ns, "ours", Some((&found, found.recipe.to_string())))?);
+        progress.next(&format!("{top} as fast as it gets"));
+        let fastest = mappings.within(0.0)?;
+        let clocks_ns = CLOCKS.map(|factor| factor * fastest.timing.critical_path_ns);
+        rows.push(row("ours", clocks_ns[0], &fastest)?);
+        part.advance(1);
+        for &clock_ns in &clocks_ns[1..] {
+            progress.next(&format!("{top} at {clock_ns:.3} ns"));
+            rows.push(row("ours", clock_ns, &mappings.within(clock_ns)?)?);
+            part.advance(1);
         }
-        drop(part);
-        if installed().is_none() || args.liberty.is_empty() {
+        if !with_abc {
             continue;
         }
-        let part = Part::endless(progress, &format!("ABC on {top}"));
-        let asked: Vec<f64> = FURTHER.iter().chain(&CLOCKS).map(|factor| factor * shortest_ns).collect();
-        let mut found = Vec::new();
-        for script in &SCRIPTS {
-            let all = mappings.by_abc(script, &asked, &args.liberty, folder.path())?;
-            found.extend(all.into_iter().map(|implementation| (implementation, script.name)));
+        progress.next(&format!("{top} by ABC"));
+        let found = by_abc(args, &mappings, &[&[0.0], &clocks_ns[..]].concat())?;
+        let path_ns = found[0].timing.critical_path_ns;
+        for (&clock_ns, found) in [path_ns].iter().chain(&clocks_ns).zip(&found) {
+            rows.push(row("ABC", clock_ns, found)?);
         }
-        for factor in CLOCKS {
-            let clock_ns = factor * shortest_ns;
-            let met = found.iter().filter(|(found, _)| found.timing.critical_path_ns <= clock_ns);
-            let best = met.min_by(|a, b| a.0.logic_um2().total_cmp(&b.0.logic_um2()));
-            let best = best.map(|(found, script)| (found, format!("script `{script}`")));
-            rows.push(row(clock_ns, "ABC", best)?);
-        }
-        let fastest =
-            found.iter().min_by(|a, b| a.0.timing.critical_path_ns.total_cmp(&b.0.timing.critical_path_ns));
-        if let Some((fastest, script)) = fastest {
-            let clock_ns = fastest.timing.critical_path_ns;
-            rows.push(row(clock_ns, "ABC", Some((fastest, format!("script `{script}`, fastest"))))?);
-        }
-        drop(part);
+        part.advance(1);
     }
     Ok(rows)
 }

@@ -1,7 +1,9 @@
 //! A report of area, energy and speed of the pipelines, beside the published figures.
 
+mod beside_paper;
 mod clock;
 mod curve;
+mod mapper;
 mod numbers;
 mod report;
 mod synthesis;
@@ -16,7 +18,7 @@ use estimate::{
     Scaling, Workload, cost,
 };
 use gates::liberty::{embedded, load};
-use gates::timing::fo4_ns;
+use gates::timing::{fo4, fo4_ns};
 use golden::build::Quality;
 use netlist::inventory;
 use pipelines::catalogue::Top;
@@ -25,8 +27,10 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+pub use beside_paper::{Bar, BesideRow};
 pub use clock::{Clock, ClockRow};
 pub use curve::CurveRow;
+pub use mapper::{Mapper, OwnRow};
 pub use synthesis::SynthesisRow;
 
 /// The libraries to map to, the scenes to measure on, and the folder of the report.
@@ -36,6 +40,8 @@ pub struct Options {
     pub liberty: Vec<PathBuf>,
     /// The clock to map for; if there is none, cells are mapped for area and then sized for speed.
     pub clock: Option<Clock>,
+    /// Who maps for that clock.
+    pub mapper: Mapper,
     /// Also maps both pipelines for several clocks, and writes area and energy against the clock into the folder `out`.
     pub curve: bool,
     /// Also synthesises the exported Verilog with yosys and ABC.
@@ -62,6 +68,8 @@ pub struct Estimates {
     /// The pipelines without redundant comparators.
     pub lean_pipelines: Vec<PipelineRow>,
     pub ratios: Vec<RatioRow>,
+    /// The paper's figures and ours at 65 nm, part by part; none for a library that cannot be scaled.
+    pub beside_paper: Vec<BesideRow>,
     pub scenes: Vec<SceneRow>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub synthesis: Vec<SynthesisRow>,
@@ -145,6 +153,9 @@ pub struct PipelineRow {
     pub critical_path_ns: f64,
     pub clock_mhz: f64,
     pub clock: ClockRow,
+    /// The same by our own mapper, where ABC was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub own: Option<OwnRow>,
     pub modules: Vec<ModuleRow>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub node_types: Vec<TypeRow>,
@@ -203,6 +214,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
         !args.synthesis || args.liberty.len() == 1,
         "--synth needs one --liberty FILE, which yosys and ABC map to as well"
     );
+    mapper::check(args)?;
     ensure!(!args.curve || args.out.is_some(), "--curve writes files: name a folder with --out DIR");
     let library = if args.liberty.is_empty() { embedded() } else { load(&args.liberty)? };
     let workloads = (args.scenes.iter())
@@ -214,11 +226,12 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
     let tops = [Top::DualSplit, Top::RayBox, Top::DualSplitLean, Top::RayBoxLean];
     let part = Part::begin(progress, (tops.len() + workloads.len()) as u64 + 1, "mapping and measuring");
     let implementations = (tops.into_par_iter())
-        .map(|top| Clock::implementation(args.clock, top, &library))
-        .collect::<Result<Vec<Implementation>, EstimateError>>()?;
+        .map(|top| mapper::implementation(args, top, &library))
+        .collect::<anyhow::Result<Vec<_>>>()?;
+    let (implementations, own): (Vec<Implementation>, Vec<_>) = implementations.into_iter().unzip();
     let mut rows = Vec::new();
-    for implementation in &implementations {
-        rows.push(pipeline(implementation, workload, args.clock)?);
+    for (implementation, own) in implementations.iter().zip(&own) {
+        rows.push(pipeline(implementation, own.as_ref(), workload, args.clock)?);
         part.advance(1);
     }
     let mut scenes = Vec::new();
@@ -248,11 +261,12 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
             voltage_v: library.voltage_v,
             gate_equivalent_um2: library.gate_equivalent_um2(),
             fo4_ps: 1e3 * fo4_ns(&library),
-            fo4_inverter: library.cells[library.inverter()].name.clone(),
+            fo4_inverter: fo4(&library).1.name.clone(),
             scaling: Scaling::of(&library),
         },
         provenance: numbers::provenance(&library),
         ratios: ratios(&rows),
+        beside_paper: beside_paper::rows(&rows, Scaling::of(&library).as_ref()),
         scenes,
         pipelines: rows,
         lean_pipelines,
@@ -278,6 +292,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<(Estimates
 
 fn pipeline(
     implementation: &Implementation,
+    own: Option<&Implementation>,
     workload: &Workload,
     clock: Option<Clock>,
 ) -> anyhow::Result<PipelineRow> {
@@ -345,6 +360,7 @@ fn pipeline(
         critical_path_ns: implementation.timing.critical_path_ns,
         clock_mhz: implementation.timing.clock_mhz(),
         clock: ClockRow::of(implementation, clock),
+        own: own.map(|own| OwnRow::new(own, workload)).transpose()?,
         modules: implementation.modules(),
         node_types,
     })

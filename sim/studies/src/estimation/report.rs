@@ -1,8 +1,8 @@
 //! The report as text and as an HTML fragment.
 
 use super::numbers::parts;
-use super::timing_report::{clocks, curve, stages};
-use super::{Estimates, PipelineRow};
+use super::timing_report::{clocks, curve, mappers, stages};
+use super::{Estimates, PipelineRow, beside_paper};
 use crate::table::{fixed, table};
 use estimate::{Breakdown, NodeType, TARGET_NODE_NM};
 use std::fmt::Write;
@@ -69,6 +69,12 @@ pub fn html(sections: &[Section]) -> String {
 pub fn sections(document: &Estimates) -> Vec<Section> {
     let mut sections = vec![comparison(document), ratios(document)];
     sections.push(clocks(document));
+    if document.pipelines.iter().any(|pipeline| pipeline.own.is_some()) {
+        sections.push(mappers(document));
+    }
+    if !document.beside_paper.is_empty() {
+        sections.push(beside_paper::report(document));
+    }
     sections.extend(document.pipelines.iter().map(stages));
     sections.push(breakdowns(document));
     sections.push(node_types(document));

@@ -1,26 +1,29 @@
 //! The sections of the report about time: clocks, stages, curves.
 
 use super::report::{Section, section};
-use super::{Estimates, PipelineRow};
+use super::{ClockRow, Estimates, OwnRow, PipelineRow};
 use crate::table::fixed;
 use estimate::StageRow;
+
+/// By how much a pipeline misses its clock, and where; none if it meets it.
+pub(super) fn missed(name: &str, clock: &ClockRow) -> Option<String> {
+    let (slack_ns, stage) = (clock.slack_ns.filter(|&slack| slack < 0.0)?, clock.longest()?);
+    Some(format!(
+        "{name} misses the clock by {:.3} ns, in stage {}, from {} to {}: {}.",
+        -slack_ns,
+        stage.stage,
+        stage.from,
+        stage.to,
+        through(stage)
+    ))
+}
 
 /// The clock that each pipeline's areas and energies hold for.
 pub(super) fn clocks(document: &Estimates) -> Section {
     let mut notes = Vec::new();
     let rows = document.pipelines.iter().chain(&document.lean_pipelines).map(|pipeline| {
         let clock = &pipeline.clock;
-        if let (true, Some(slack), Some(stage)) = (clock.is_missed(), clock.slack_ns, clock.longest()) {
-            notes.push(format!(
-                "{} misses the clock by {:.3} ns, in stage {}, from {} to {}: {}.",
-                pipeline.name,
-                -slack,
-                stage.stage,
-                stage.from,
-                stage.to,
-                through(stage)
-            ));
-        }
+        notes.extend(missed(pipeline.name, clock));
         [
             pipeline.name.to_owned(),
             fixed(clock.period_ns, 3),
@@ -39,6 +42,48 @@ pub(super) fn clocks(document: &Estimates) -> Section {
     ));
     let header = ["pipeline", "clock ns", "FO4", "MHz", "critical path ns", "slack ns", "mapping"];
     section("The clock that areas and energies hold for", header, rows, notes)
+}
+
+/// What ABC gains over our own mapper.
+pub(super) fn mappers(document: &Estimates) -> Section {
+    let mut rows = Vec::new();
+    let mut notes = Vec::new();
+    for pipeline in document.pipelines.iter().chain(&document.lean_pipelines) {
+        let Some(own) = &pipeline.own else { continue };
+        let abc = OwnRow {
+            mapping: pipeline.clock.mapping.clone(),
+            critical_path_ns: pipeline.critical_path_ns,
+            logic_area_um2: pipeline.area.logic(),
+            energy_pj: pipeline.energy.total() / 1e3,
+        };
+        for (mapper, row) in [("ABC", &abc), ("ours", own)] {
+            rows.push([
+                pipeline.name.to_owned(),
+                mapper.to_owned(),
+                fixed(row.critical_path_ns, 3),
+                fixed(row.logic_area_um2, 0),
+                fixed(row.energy_pj, 3),
+                row.mapping.clone(),
+            ]);
+        }
+        let over = |of: fn(&OwnRow) -> f64| 100.0 * (of(own) / of(&abc) - 1.0);
+        let late =
+            if own.critical_path_ns > pipeline.clock.period_ns { ", and misses the clock" } else { "" };
+        notes.push(format!(
+            "{}: our own mapping has {:+.1} % area of logic, {:+.1} % energy and {:+.1} % longest path{late}.",
+            pipeline.name,
+            over(|row| row.logic_area_um2),
+            over(|row| row.energy_pj),
+            over(|row| row.critical_path_ns)
+        ));
+    }
+    notes.push(
+        "All tables but this are about ABC's cells. A cell of ABC's belongs to the unit that has a gate of the same value in random \
+         patterns, or else to what reads it."
+            .to_owned(),
+    );
+    let header = ["pipeline", "mapper", "critical path ns", "um2 logic", "pJ", "mapping"];
+    section("ABC and our own mapper at the same clock", header, rows, notes)
 }
 
 /// What a path passes, with the time that it takes there.

@@ -6,7 +6,7 @@ use clap::Args;
 use pipelines::catalogue::{StandardFormat, Top};
 use std::ffi::OsString;
 use std::path::PathBuf;
-use studies::estimation::Clock;
+use studies::estimation::{Clock, Mapper};
 
 #[derive(Args, Debug)]
 pub struct CheckArgs {
@@ -94,6 +94,10 @@ pub struct EstimateArgs {
     /// Exit code 1 if a pipeline misses the clock [default: map for area, then size for speed].
     #[arg(long, value_name = "CLOCK")]
     pub clock: Option<Clock>,
+    /// Who maps for the clock: `own`, which needs no other program, or `abc`, the best of three scripts of ABC, which has to be
+    /// installed and reads --liberty. With `abc`, the difference to our own mapper is printed.
+    #[arg(long, value_name = "MAPPER", default_value = "own")]
+    pub mapper: Mapper,
     /// Also map both pipelines for five clocks, and write area and energy against the clock as curve.csv, curve-area.svg and
     /// curve-energy.svg, beside the best of ABC's scripts where ABC is installed and --liberty is given. This takes minutes.
     #[arg(long, requires = "out")]

@@ -9,6 +9,7 @@ pub fn run(args: &EstimateArgs, global: &Global) -> anyhow::Result<Report> {
     let options = Options {
         liberty: args.liberty.clone(),
         clock: args.clock,
+        mapper: args.mapper,
         curve: args.curve,
         synthesis: args.synth,
         scenes: args.load.sources(&args.scene, Drawn::Scenes, global)?,
