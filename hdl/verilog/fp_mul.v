@@ -80,16 +80,12 @@ module fp_mul_significand_product_v2 (
 endmodule
 
 // fp_mul_leading_zeros: leading_zeros w24_x5
+//   constant top_index = 8'h17
 //   constant distance_0 = 5'h10
 //   constant distance_1 = 5'd8
 //   constant distance_2 = 5'd4
 //   constant distance_3 = 5'd2
 //   constant distance_4 = 5'd1
-//   constant limit_0 = 24'h100
-//   constant limit_1 = 24'h10000
-//   constant limit_2 = 24'h100000
-//   constant limit_3 = 24'h400000
-//   constant limit_4 = 24'h800000
 //
 // Counts the zeros above the leading one.
 module fp_mul_leading_zeros (
@@ -98,22 +94,31 @@ module fp_mul_leading_zeros (
 );
 
     // Logic
-    wire count_2_if = value_i < 24'h100;
-    wire [23:0] value_2 = count_2_if ? {value_i[7:0], 16'd0} : value_i;
-    wire [4:0] count_2 = count_2_if ? 5'h10 : 5'd0;
-    wire count_3_if = value_2 < 24'h10000;
-    wire [23:0] value_3 = count_3_if ? {value_2[15:0], 8'd0} : value_2;
-    wire [4:0] count_3 = count_3_if ? (count_2 + 5'd8) : count_2;
-    wire count_4_if = value_3 < 24'h100000;
-    wire [23:0] value_4 = count_4_if ? {value_3[19:0], 4'd0} : value_3;
-    wire [4:0] count_4 = count_4_if ? (count_3 + 5'd4) : count_3;
-    wire count_5_if = value_4 < 24'h400000;
-    wire [23:0] value_5 = count_5_if ? {value_4[21:0], 2'd0} : value_4;
-    wire [4:0] count_5 = count_5_if ? (count_4 + 5'd2) : count_4;
-    wire [4:0] count = (value_5 < 24'h800000) ? (count_5 + 5'd1) : count_5;
+    wire [23:0] any_3_1 = value_i | {value_i[22:0], 1'b0};
+    wire [23:0] any_2_1 = any_3_1 | {any_3_1[21:0], 2'd0};
+    wire [23:0] any_1_1 = any_2_1 | {any_2_1[19:0], 4'd0};
+    wire [23:0] any_0_1 = any_1_1 | {any_1_1[15:0], 8'd0};
+    wire [23:0] any_1_2 = any_0_1[23] ? any_1_1 : {any_1_1[7:0], 16'd0};
+    wire [23:0] any_2_2 = any_0_1[23] ? any_2_1 : {any_2_1[7:0], 16'd0};
+    wire [23:0] any_3_2 = any_0_1[23] ? any_3_1 : {any_3_1[7:0], 16'd0};
+    wire [23:0] any_4_2 = any_0_1[23] ? value_i : {value_i[7:0], 16'd0};
+    wire [4:0] count_2 = any_0_1[23] ? 5'd0 : 5'h10;
+    wire [23:0] any_2_3 = any_1_2[23] ? any_2_2 : {any_2_2[15:0], 8'd0};
+    wire [23:0] any_3_3 = any_1_2[23] ? any_3_2 : {any_3_2[15:0], 8'd0};
+    wire [23:0] any_4_3 = any_1_2[23] ? any_4_2 : {any_4_2[15:0], 8'd0};
+    wire [4:0] count_3 = any_1_2[23] ? count_2 : (count_2 | 5'd8);
+    wire [23:0] any_3_4 = any_2_3[23] ? any_3_3 : {any_3_3[19:0], 4'd0};
+    wire [23:0] any_4_4 = any_2_3[23] ? any_4_3 : {any_4_3[19:0], 4'd0};
+    wire [4:0] count_4 = any_2_3[23] ? count_3 : (count_3 | 5'd4);
+    wire [23:0] any_4_5 = any_3_4[23] ? any_4_4 : {any_4_4[21:0], 2'd0};
+    wire [4:0] count_5 = any_3_4[23] ? count_4 : (count_4 | 5'd2);
+    wire [4:0] count = any_4_5[23] ? count_5 : (count_5 | 5'd1);
 
     // Outputs
     assign count_o = count;
+
+    // Bits that nothing reads
+    wire unused = &{1'b0, any_0_1[22:0], any_1_2[22:0], any_2_3[22:0], any_3_4[22:0], any_4_5[22:0]};
 endmodule
 
 // fp_mul_rounder: rounder e8m23

@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let design = top.design(format)?;
     let stimulus = testbench(top, format, &flatten(&design)?, vectors, 0);
     let sources = sources();
-    let options = top.package_options(Form { reset: true, sources: &sources });
+    let options = top.package_options(format, Form { reset: true, sources: &sources });
     let options = PackageOptions { description: "An example export.", ..options };
     let mut files = package(&design, &options, &stimulus)?;
     files.extend(shared_files(&design.top().name, options.period_ns));

@@ -28,6 +28,7 @@ mod dual_split;
 mod dual_split_fold;
 mod dual_split_select;
 pub mod formats;
+pub mod measured;
 mod node_header;
 mod notes;
 pub mod ports;

@@ -4,15 +4,17 @@ use golden::dst::Code;
 use golden::dst::header::{AXIS, CARVE, Field, LEAF, OFFSET, SINGLE, SIZE, dual_axes};
 use netlist::verilog::{Claim, Form, PackageOptions, ResultCode};
 
-use crate::catalogue::Top;
+use crate::catalogue::{StandardFormat, Top};
 
 impl Top {
-    /// A package of this top with everything that is known of its words: no description, a clock of 1 ns.
+    /// A package of this top in `format` with everything that is known of its words and measured of it: no description, a clock of 1 ns.
     #[must_use]
-    pub fn package_options(self, form: Form<'_>) -> PackageOptions<'_> {
+    pub fn package_options(self, format: StandardFormat, form: Form<'_>) -> PackageOptions<'_> {
+        let measured = self.measured(format).map(|measured| measured.to_string());
+        let sections = [self.notes(), measured.unwrap_or_default()];
         let is_dual_split = matches!(self, Self::DualSplit | Self::DualSplitLean);
         PackageOptions {
-            notes: self.notes(),
+            notes: sections.into_iter().filter(|section| !section.is_empty()).collect::<Vec<_>>().join("\n"),
             form,
             is_pipeline: self.is_pipeline(),
             claims: if is_dual_split { dual_split_claims() } else { vec![] },

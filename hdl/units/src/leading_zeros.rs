@@ -12,16 +12,19 @@ use rust_hdl_core::prelude::*;
 ///            | LeadingZeros |
 ///            +--------------+
 /// ```
-/// Combinational: a binary search of five rows. For a zero value the count is 31 or less and means nothing.
+/// Combinational: a binary search of five rows. For a zero value the count means nothing.
+///
+/// Row `i` asks whether the upper `2^(4 - i)` bits are zero. The answers for all places, of which each row needs one, are known before
+/// the search (`any`), so that a row waits for the row above but for no gathering of bits.
 #[derive(LogicBlock, Clone, Debug)]
 pub(super) struct LeadingZeros<const S: usize, const X: usize> {
     pub value_i: Signal<In, Bits<S>>,
     pub count_o: Signal<Out, Bits<X>>,
+    top_index: Constant<Bits<8>>,
     /// `2^(4 - i)`: the shift of row `i`.
     distance: [Constant<Bits<X>>; ROWS],
-    /// A value below this has at least `distance[i]` leading zeros; zero where that is all of the bits or more.
-    limit: [Constant<Bits<S>>; ROWS],
-    value: Signal<Local, Bits<S>>,
+    /// Bit `j` of `any[i]` is set if one of the value's bits `j` down to `j + 1 - 2^(4 - i)` is; row `i` has shifted it.
+    any: [Signal<Local, Bits<S>>; ROWS],
     count: Signal<Local, Bits<X>>,
 }
 
@@ -30,18 +33,11 @@ const ROWS: usize = 5;
 
 impl<const S: usize, const X: usize> Default for LeadingZeros<S, X> {
     fn default() -> Self {
-        const { assert!(S < 32) };
-        let distance = |i: usize| 1usize << (ROWS - 1 - i);
-        // A row that is too far for the value never shifts, so that its distance is free.
-        let reachable = |i: usize| distance(i) < S;
+        const { assert!(S < 32 && X >= ROWS) };
         module! {
-            distance = std::array::from_fn(|i| {
-                Constant::new((if reachable(i) { distance(i) as u64 } else { 0 }).into())
-            }),
-            limit = std::array::from_fn(|i| {
-                Constant::new((if reachable(i) { 1u64 << (S - distance(i)) } else { 0 }).into())
-            });
-            value_i, count_o, value, count,
+            top_index = Constant::new((S as u64 - 1).into()),
+            distance = std::array::from_fn(|i| Constant::new((1u64 << (ROWS - 1 - i)).into()));
+            value_i, count_o, any, count,
         }
     }
 }
@@ -49,12 +45,18 @@ impl<const S: usize, const X: usize> Default for LeadingZeros<S, X> {
 impl<const S: usize, const X: usize> Logic for LeadingZeros<S, X> {
     #[hdl_gen]
     fn update(&mut self) {
-        self.value.next = self.value_i.val();
+        self.any[4].next = self.value_i.val();
+        self.any[3].next = self.any[4].val() | (self.any[4].val() << 1);
+        self.any[2].next = self.any[3].val() | (self.any[3].val() << 2);
+        self.any[1].next = self.any[2].val() | (self.any[2].val() << 4);
+        self.any[0].next = self.any[1].val() | (self.any[1].val() << 8);
         self.count.next = 0.into();
         for i in 0..5 {
-            if self.value.val() < self.limit[i].val() {
-                self.value.next = self.value.val() << self.distance[i].val();
-                self.count.next = self.count.val() + self.distance[i].val();
+            if !self.any[i].val().get_bit(self.top_index.val().index()) {
+                for j in 0..5 {
+                    self.any[j].next = self.any[j].val() << self.distance[i].val();
+                }
+                self.count.next = self.count.val() | self.distance[i].val();
             }
         }
         self.count_o.next = self.count.val();

@@ -1,6 +1,6 @@
 //! ABC as another mapper, where it is installed: a graph goes there as AIGER, and comes back as cells of the library.
 //!
-//! The scripts are fixed here, so that comparisons with them stay comparable. `{D}` is the delay in picoseconds that ABC may
+//! The scripts are fixed here and in [`netlist::verilog`], whose packages use the fastest, so that comparisons with them stay comparable. `{D}` is the delay in picoseconds that ABC may
 //! use between registers. Every script buffers and sizes its cells.
 
 use std::collections::HashMap;
@@ -37,12 +37,7 @@ pub const SCRIPTS: [Script; 3] = [
         restructure: "strash; dch",
         map: "map -D {D}; topo; buffer -c; topo; upsize -D {D}; dnsize -D {D}",
     },
-    Script {
-        name: "restructuring",
-        restructure: "strash; ifraig; scorr; dc2; dch -f; if -g -K 6; strash; dch -f; if -g -K 6; strash; dch -f; \
-                      if -g -K 6; strash; dch -f",
-        map: "map -B 0.9 -D {D}; topo; buffer -c; topo; upsize -D {D}; dnsize -D {D}",
-    },
+    Script { name: "restructuring", restructure: netlist::verilog::RESTRUCTURE, map: netlist::verilog::MAP },
 ];
 
 /// Why ABC gives no netlist.

@@ -62,7 +62,7 @@ pub fn run(args: &Options, progress: &dyn Progress) -> anyhow::Result<Vec<PathBu
         let options = PackageOptions {
             description: description(*top),
             period_ns: args.period_ns,
-            ..top.package_options(form)
+            ..top.package_options(args.format, form)
         };
         for file in package(design, &options, &vectors)? {
             artifacts.write(&file.name, file.contents.as_bytes())?;

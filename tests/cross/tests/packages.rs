@@ -18,7 +18,7 @@ fn export(folder: &Path, top: Top, vectors: u32) {
     let design = top.design(format).unwrap();
     let cycles = stimulus(top, format, &flatten(&design).unwrap(), vectors, 0);
     let sources = sources();
-    let options = top.package_options(Form { reset: true, sources: &sources });
+    let options = top.package_options(format, Form { reset: true, sources: &sources });
     let options = PackageOptions { description: "A test.", ..options };
     let mut files = package(&design, &options, &cycles).unwrap();
     files.extend(shared_files(top.name(), 1.0));
@@ -160,31 +160,82 @@ fn cocotb_agrees() {
     }
 }
 
-/// `make timing` ends in a clock and an area, and fails without a library.
+/// `make timing` ends in FO4, the path of each cycle, a clock and an area, with a library of one file and with one of several. It fails
+/// without a library, without a file and without an inverter, and writes no numbers then.
 #[test]
 fn timing_ends_in_numbers() {
-    let Some(library) = data("liberty/sky130_fd_sc_hd__tt_025C_1v80.lib.gz") else { return };
+    let Some(libraries) = data("liberty") else { return };
     if !available("yosys") || !available("sta") || !available("make") {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     export(folder, Top::FpCmp, 1);
-    run(folder, "sh", &["-c", &format!("gzip -dc {} > cells.lib", library.display())]).unwrap();
-    let cells = ["timing", "LIBERTY=cells.lib", "DRIVER=sky130_fd_sc_hd__inv_2", "LOAD=0.01", "PERIOD=4"];
-    let printed = run(folder, "make", &cells).unwrap_or_else(|error| panic!("{error}"));
-    let number = |line: &str| -> f64 {
-        let line = printed
-            .lines()
-            .find(|found| found.trim_start().starts_with(line))
-            .unwrap_or_else(|| panic!("{printed}"));
-        line.split_whitespace().filter_map(|word| word.parse().ok()).next().unwrap()
+    let liberty = |start: &str| {
+        let mut files: Vec<_> = libraries.read_dir().unwrap().map(|file| file.unwrap().path()).collect();
+        files.retain(|path| path.file_name().unwrap().to_string_lossy().starts_with(start));
+        files.sort();
+        let files: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
+        format!("LIBERTY={}", files.join(" "))
     };
-    let (slack, clock, area) = (number("slack"), number("clock"), number("Chip area"));
-    assert!(slack > 0.0 && (clock - 1000.0 / (4.0 - slack)).abs() < 0.1 && area > 1000.0, "{printed}");
-    println!("fp_cmp in sky130: {clock} MHz, {area} um2");
+    // FO4 as in docs/hardware.md.
+    for (library, driver, fo4_ps) in [
+        ("sky130", "sky130_fd_sc_hd__inv_2", 79.8),
+        ("sg13g2", "sg13g2_inv_2", 58.8),
+        ("asap7", "INVx2_ASAP7_75t_R", 18.3),
+    ] {
+        let arguments = ["timing", &liberty(library), &format!("DRIVER={driver}"), "PERIOD=4"];
+        let printed = run(folder, "make", &arguments).unwrap_or_else(|error| panic!("{error}"));
+        let line = |start: &str| {
+            let line = printed.lines().find(|found| found.trim_start().starts_with(start));
+            line.unwrap_or_else(|| panic!("no {start} in {printed}"))
+        };
+        let numbers = |start: &str| -> Vec<f64> {
+            line(start).split_whitespace().filter_map(|word| word.parse().ok()).collect()
+        };
+        let (slack, clock, area) = (numbers("slack")[0], numbers("clock")[0], numbers("Chip area")[0]);
+        assert_eq!(numbers("FO4"), [fo4_ps], "{library}");
+        assert!(slack > 0.0 && (clock - 1000.0 / (4.0 - slack)).abs() < 0.1 && area > 10.0, "{printed}");
+        // The operands reach the registers of the result, and these the outputs.
+        let (compare, outputs) = (numbers("cycle 1"), numbers("cycle 2"));
+        assert!(!printed.contains("cycle 3") && compare[1] > outputs[1], "{printed}");
+        assert!((compare[1] / fo4_ps - compare[2]).abs() < 0.1, "{printed}");
+        let end = line("cycle 1").split_whitespace().last();
+        assert!(end.is_some_and(|end| ["eq", "lt", "le"].contains(&end)), "{printed}");
+        println!("fp_cmp in {library}: {clock} MHz, {area} um2");
+    }
+    let driver = "DRIVER=sky130_fd_sc_hd__inv_2";
     run(folder, "make", &["clean"]).unwrap();
-    run(folder, "make", &["timing"]).expect_err("no library is named");
+    for (arguments, error) in [
+        (["timing", driver, "PERIOD=4"], "set LIBERTY and DRIVER"),
+        (["timing", driver, "LIBERTY=no.lib"], "no.lib cannot be read"),
+        (["timing", "DRIVER=sky130_fd_sc_hd__buf_2", &liberty("sky130")], "buf_2 is none"),
+    ] {
+        let printed = run(folder, "make", &arguments).expect_err(error);
+        assert!(printed.contains(error), "{printed}");
+        assert!(!folder.join("fp_cmp_netlist.v").exists(), "{error}");
+    }
+}
+
+/// FuseSoC's target ends in the numbers of `make timing`, and fails where that fails.
+#[test]
+fn fusesoc_calls_the_flow() {
+    let Some(library) = data("liberty/sky130_fd_sc_hd__tt_025C_1v80.lib.gz") else { return };
+    if !["yosys", "sta", "make", "iverilog", "fusesoc"].into_iter().all(available) {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    export(folder, Top::FpCmp, 1);
+    let timing = |driver: &str| {
+        let (library, driver) = (format!("LIBERTY={}", library.display()), format!("DRIVER={driver}"));
+        let fusesoc = ["fusesoc", "--cores-root", ".", "run", "--target", "timing", "dualsplit:rtl:fp_cmp"];
+        run(folder, "env", &[&[&*library, &*driver, "PERIOD=4"], &fusesoc[..]].concat())
+    };
+    let printed = timing("sky130_fd_sc_hd__inv_2").unwrap_or_else(|error| panic!("{error}"));
+    assert!(printed.contains("\ncycle 1 ") && printed.contains("\nclock "), "{printed}");
+    let printed = timing("sky130_fd_sc_hd__buf_2").expect_err("a buffer is no inverter");
+    assert!(printed.contains("buf_2 is none"), "{printed}");
 }
 
 /// `make fpga` routes a unit and ends in a clock and counts.

@@ -1,5 +1,5 @@
-//! The route from Verilog to numbers with public tools: a Makefile for all tops of a folder, its scripts for ABC and OpenSTA, and for
-//! each top a wrapper that fits an FPGA's pins.
+//! The route from Verilog to numbers with public tools: a Makefile for all tops of a folder, its scripts for ABC, liberty files and
+//! OpenSTA, and for each top a wrapper that fits an FPGA's pins.
 
 use std::fmt::Write;
 
@@ -7,18 +7,31 @@ use super::identifier::{CLOCK, Namespace, RESET, port_names};
 use super::{Form, GeneratedFile};
 use crate::Design;
 
-const MAKEFILE: &str = include_str!("makefile.mk");
-/// The script that restructures logic for delay before mapping.
-const RESTRUCTURE: &str = include_str!("restructure.abc");
-const TIMING: &str = include_str!("timing.tcl");
+/// Names of the files that the packages of a folder share.
+pub(super) const MAKEFILE: &str = "Makefile";
+pub(super) const RESTRUCTURING: &str = "restructure.abc";
+pub(super) const LIBRARY: &str = "library.awk";
+pub(super) const TIMING: &str = "timing.tcl";
 
-/// What the packages in one folder share: `Makefile`, `restructure.abc` and `timing.tcl`. The Makefile's default top is `top`, its default
-/// clock period `period_ns`.
+/// ABC's commands that restructure logic for delay, in three rounds.
+pub const RESTRUCTURE: &str = "strash; ifraig; scorr; dc2; dch -f; if -g -K 6; strash; dch -f; if -g -K 6; strash; dch -f; \
+                               if -g -K 6; strash; dch -f";
+/// ABC's commands that map what [`RESTRUCTURE`] leaves to cells within `{D}` picoseconds between registers, buffer and size them.
+pub const MAP: &str = "map -B 0.9 -D {D}; topo; buffer -c; topo; upsize -D {D}; dnsize -D {D}";
+
+/// The files that the packages in one folder share: `Makefile`, `restructure.abc`, `library.awk` and `timing.tcl`. The Makefile's
+/// default top is `top`, its default clock period `period_ns`.
 #[must_use]
 pub fn shared_files(top: &str, period_ns: f64) -> Vec<GeneratedFile> {
-    let makefile = MAKEFILE.replace("%TOP%", top).replace("%PERIOD%", &period_ns.to_string());
-    let files =
-        [("Makefile", makefile), ("restructure.abc", RESTRUCTURE.into()), ("timing.tcl", TIMING.into())];
+    let makefile =
+        include_str!("makefile.mk").replace("%TOP%", top).replace("%PERIOD%", &period_ns.to_string());
+    let restructure = format!("{RESTRUCTURE}; {MAP}\n").replace("; ", "\n");
+    let files = [
+        (MAKEFILE, makefile),
+        (RESTRUCTURING, restructure),
+        (LIBRARY, include_str!("library.awk").into()),
+        (TIMING, include_str!("timing.tcl").into()),
+    ];
     files.map(|(name, contents)| GeneratedFile { name: name.into(), contents }).into()
 }
 

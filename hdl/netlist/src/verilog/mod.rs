@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 
 pub use checker::{Checker, Claim};
 pub use comments::{Comments, Part};
-pub use flow::shared_files;
+pub use flow::{MAP, RESTRUCTURE, shared_files};
 pub use identifier::{CLOCK, Namespace, PortNames, RESET, plain, port_name, port_names};
 pub use readme::readme;
 pub use scripts::{constraint, fusesoc_core, yosys};
@@ -50,6 +50,7 @@ const STREAM: &str = "_stream.v";
 const AXIS: &str = "_axis.v";
 const PACKAGE: &str = "_pkg.sv";
 const HEADER: &str = ".h";
+const FPGA: &str = "_fpga.v";
 
 /// The design as one Verilog-2005 file, in the default form. Deterministic; ASCII.
 #[must_use]
@@ -200,7 +201,7 @@ pub fn package(
         file(".md", readme(design, &inventory, options)),
     ];
     if design.top().clock.is_some() {
-        files.push(file("_fpga.v", flow::fpga_wrapper(design, &options.form)));
+        files.push(file(FPGA, flow::fpga_wrapper(design, &options.form)));
     }
     files.extend(checker.map(|checker| file(CHECKER, checker.text)));
     let payload = stream::Payload::of(design).filter(|_| options.form.resets(design) && options.is_pipeline);

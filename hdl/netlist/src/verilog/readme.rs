@@ -88,7 +88,7 @@ pub fn readme(design: &Design, inventory: &Inventory, options: &PackageOptions) 
          - simulate: `make sim TOP={name}`, which ends with another exit code than 0 if an output differs or an assertion fails\n\
          - lint: `make lint TOP={name}`\n\
          - synthesise: `yosys -s {name}.ys`\n\
-         - clock and area: `make timing TOP={name} LIBERTY=FILE DRIVER=CELL LOAD=X PERIOD=NS`, by yosys, ABC and OpenSTA\n\
+         - clock and area: `make timing TOP={name} LIBERTY=FILES DRIVER=INVERTER PERIOD=NS`, by yosys, ABC and OpenSTA\n\
          - FPGA: `make fpga TOP={name}`, on an ECP5-85k by yosys and nextpnr\n\n\
          `{name}_vectors.hex` holds one clock cycle per line: the inputs and then the expected outputs in the order \
          of the table, first port highest, as one hexadecimal number.\n"

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
+use super::flow::{LIBRARY, MAKEFILE, RESTRUCTURING, TIMING};
 use super::identifier::{CLOCK, Namespace, RESET, port_names};
-use super::{AXIS, CHECKER, Form, GeneratedFile, HEADER, PACKAGE, STREAM};
+use super::{AXIS, CHECKER, FPGA, Form, GeneratedFile, HEADER, PACKAGE, STREAM};
 use crate::Design;
 
 /// A yosys script that reads, checks and synthesises the design, printing statistics before and after.
@@ -61,8 +62,12 @@ pub fn constraint(design: &Design, form: &Form, period_ns: f64) -> String {
     }
 }
 
+/// What the Makefile makes and FuseSoC has targets for.
+const FLOW_TARGETS: [&str; 2] = ["timing", "fpga"];
+
 /// A FuseSoC description (CAPI2), called by vendor, library, top and version, of a package with these other files: a lint and a
-/// simulation target, and a lint target of the stream if there is one.
+/// simulation target, a lint target of the stream if there is one, and `timing` and `fpga` if the top has a clock. These two let Icarus
+/// elaborate the top, as FuseSoC wants a tool, and call the Makefile of [`super::shared_files`] with the environment's variables.
 #[must_use]
 pub fn fusesoc_core(design: &Design, description: &str, others: &[GeneratedFile]) -> String {
     let top = &design.top().name;
@@ -111,6 +116,20 @@ pub fn fusesoc_core(design: &Design, description: &str, others: &[GeneratedFile]
              \x20     - {top}{HEADER}: {{file_type: cSource, is_include_file: true}}\n"
         );
     }
+    if has(FPGA) {
+        // FuseSoC writes a Makefile of its own.
+        let own = [".v", FPGA, ".sdc"].map(|end| format!("{top}{end}"));
+        let shared = [RESTRUCTURING, LIBRARY, TIMING].map(str::to_owned);
+        let copied = own.iter().chain(&shared).map(|name| (name.as_str(), name.as_str()));
+        text.push_str("\x20 flow:\n\x20   file_type: user\n\x20   files:\n");
+        for (name, copy) in copied.chain([(MAKEFILE, "flow.mk")]) {
+            let _ = writeln!(text, "\x20     - {name}: {{copyto: {copy}}}");
+        }
+        text.push_str("scripts:\n");
+        for name in FLOW_TARGETS {
+            let _ = writeln!(text, "\x20 {name}: {{cmd: [make, -f, flow.mk, {name}, TOP={top}]}}");
+        }
+    }
     let _ = write!(
         text,
         "targets:\n\
@@ -131,6 +150,16 @@ pub fn fusesoc_core(design: &Design, description: &str, others: &[GeneratedFile]
          \x20   toplevel: {top}\n",
         lint(top)
     );
+    for name in FLOW_TARGETS.iter().filter(|_| has(FPGA)) {
+        let _ = write!(
+            text,
+            "\x20 {name}:\n\
+             \x20   filesets: [rtl, flow]\n\
+             \x20   toplevel: {top}\n\
+             \x20   default_tool: icarus\n\
+             \x20   hooks: {{post_build: [{name}]}}\n"
+        );
+    }
     if has(STREAM) {
         let _ = write!(
             text,

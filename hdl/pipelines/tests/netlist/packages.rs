@@ -1,9 +1,11 @@
 //! What an export holds beside the Verilog: FuseSoC core, constraint, README.
 
 use crate::support::stimulus;
-use netlist::verilog::{Form, GeneratedFile, Namespace, PackageOptions, package, port_names};
+use netlist::verilog::{Form, GeneratedFile, Namespace, PackageOptions, package, port_names, shared_files};
 use netlist::{Design, inventory};
 use pipelines::catalogue::{StandardFormat, Top};
+use pipelines::measured::{MEASURED, Measured};
+use std::path::Path;
 use yaml_rust2::{Yaml, YamlLoader};
 
 const FILES: [&str; 7] = [".v", "_tb.v", "_vectors.hex", ".ys", ".sdc", ".md", "_fpga.v"];
@@ -56,6 +58,7 @@ fn packages_are_complete() {
 
 #[test]
 fn fusesoc_cores_name_files_and_tops_that_exist() {
+    let shared = shared_files("any", 1.0);
     for &top in Top::ALL {
         let files = files_of(top, &top.design(StandardFormat::Binary32).unwrap());
         let text = contents(&files, &format!("{top}.core"));
@@ -69,11 +72,12 @@ fn fusesoc_cores_name_files_and_tops_that_exist() {
         let sets = core["filesets"].as_hash().unwrap();
         for set in sets.values() {
             for file in fileset(set) {
-                assert!(files.iter().any(|written| written.name == file), "{top}: no {file}");
+                let written = files.iter().chain(&shared).any(|written| written.name == file);
+                assert!(written, "{top}: no {file}");
             }
         }
         let targets = core["targets"].as_hash().unwrap();
-        assert_eq!(targets.len(), 4 + usize::from(top.is_pipeline()));
+        assert_eq!(targets.len(), 6 + usize::from(top.is_pipeline()));
         for (name, target) in targets {
             let used = strings(&target["filesets"]);
             assert!(used.iter().all(|set| sets.contains_key(&Yaml::String(set.clone()))), "{top}: {used:?}");
@@ -115,5 +119,25 @@ fn readmes_have_every_port_and_the_latency() {
         let constraint = contents(&files, &format!("{top}.sdc"));
         assert!(constraint.contains("set period 1.250\n"), "{constraint}");
         assert!(constraint.contains("create_clock -name clk_i -period $period"), "{constraint}");
+    }
+}
+
+/// The README of a top in binary32 has the numbers of its row in docs/hardware.md; in another format it has none.
+#[test]
+fn readmes_state_clock_and_area_as_the_documents_do() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/hardware.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    for measured in MEASURED {
+        let Measured { top, sky130_mhz, sky130_um2, fpga_mhz, luts, flip_flops, multipliers } = measured;
+        let row = format!(
+            "| `{top}` | {sky130_mhz:.0} | {sky130_um2} | {fpga_mhz:.1} | {luts} | {flip_flops} | {multipliers} |"
+        );
+        assert!(page.contains(&row), "docs/hardware.md has no row {row}");
+        let notes = |format| top.package_options(format, Form::default()).notes;
+        let text = notes(StandardFormat::Binary32);
+        for number in [format!("{sky130_mhz:.0} MHz and {sky130_um2} um2"), format!("{luts} LUT4")] {
+            assert!(text.contains(&number), "{text}");
+        }
+        assert!(!notes(StandardFormat::Binary16).contains("LUT4"));
     }
 }
