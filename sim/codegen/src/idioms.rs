@@ -6,10 +6,10 @@
 //!
 //! * *Shift right*: `v[i+1] = a[i] ? v[i] >> 2^i : v[i]` from `i = 0` upwards gives `v[0] >> a`.
 //! * *Lost bits*: `s[i+1] = a[i] ? s[i] | any(v[i] & (2^2^i - 1)) : s[i]` beside it gives `(v[0] >> a) << a != v[0]`.
-//! * *Normalise*: `c = v < 2^(w-d)`, `v' = c ? v << d : v`, `n' = c ? n + d : n` for `d = 2^j` down to 1 gives
-//!   `z = min(leading zeros of v, 2^(j+1) - 1)`, `v << z` and `n + z`. With a budget, `c = v < 2^(w-d) & d <= b` and
-//!   `b' = c ? b - d : b`, it gives the same with `z = min(that, b)`, and `b - z`: each row takes off a power of two
-//!   while both are at least as large, so the rows take off the binary digits of the lesser.
+//! * *Leading zeros*: `c = top bit of w[d]`, `v' = c ? v : v << d`, `n' = c ? n : n | d`, and `w[k]' = c ? w[k] : w[k] << d`
+//!   for all narrower windows, for `d = 2^j` down to 1 from `n = 0`, gives `n = min(leading zeros of v, 2^(j+1) - 1)`. Bit `i`
+//!   of the window `w[k]` is set if one of the `k` bits of `v` from bit `i` downwards is; a wider window is
+//!   `w[2k] = w[k] | w[k] << k`.
 
 use super::unit::Kind;
 use netlist::{BinaryOp, Graph, NodeId, Op, UnaryOp, mask};
@@ -22,12 +22,8 @@ pub enum Idiom {
     ShiftRight(Shift),
     /// Whether that shift loses any bit that is set.
     Lost(Shift),
-    /// `value << zeros`.
-    Normalised(Zeros),
-    /// `base + zeros`.
-    Counted(Zeros, NodeId),
-    /// `base - zeros`, where `base` is the budget.
-    Spent(Zeros, NodeId),
+    /// The number of leading zeros.
+    LeadingZeros(Zeros),
 }
 
 /// A shift by the low bits of an amount.
@@ -38,18 +34,17 @@ pub struct Shift {
     pub bits: u32,
 }
 
-/// The least of the leading zeros of a value, of `most`, and of a budget if there is one.
+/// The leading zeros of a value, or `most` if it has more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Zeros {
     pub value: NodeId,
     pub most: u32,
-    pub budget: Option<NodeId>,
 }
 
 /// The nodes of a module that end a recognised shape, with the shape.
 pub fn find(graph: &Graph) -> BTreeMap<NodeId, Idiom> {
     let mut finder =
-        Finder { graph, shifts: BTreeMap::new(), rows: BTreeMap::new(), counts: BTreeMap::new() };
+        Finder { graph, shifts: BTreeMap::new(), windows: BTreeMap::new(), counts: BTreeMap::new() };
     let mut found = BTreeMap::new();
     for (id, _) in graph.iter() {
         if let Some(idiom) = finder.idiom(id) {
@@ -59,24 +54,37 @@ pub fn find(graph: &Graph) -> BTreeMap<NodeId, Idiom> {
     found
 }
 
-/// A row of the search for the leading one, which shifts the value or counts beside it.
-#[derive(Clone, Copy)]
-struct Row {
+/// The search for the leading one of a value, behind some rows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Search {
     zeros: Zeros,
-    distance: u32,
-    condition: NodeId,
-    /// The budget before this row.
-    budget: Option<NodeId>,
+    /// The condition of the last row, and how far it shifts.
+    last: Option<(NodeId, u32)>,
+}
+
+/// A value as a search has shifted it, seen through a window of so many bits.
+#[derive(Clone, Copy)]
+struct Window {
+    search: Search,
+    width: u32,
 }
 
 struct Finder<'g> {
     graph: &'g Graph,
     /// Rows of shifts, by their result.
     shifts: BTreeMap<NodeId, Idiom>,
-    /// Rows that shift a value, by their result.
-    rows: BTreeMap<NodeId, Row>,
-    /// Rows that count, by their result, with the number before the first.
-    counts: BTreeMap<NodeId, (Row, NodeId)>,
+    /// Windows wider than a bit or behind a row, by their result.
+    windows: BTreeMap<NodeId, Window>,
+    /// Counts, by their result.
+    counts: BTreeMap<NodeId, Search>,
+}
+
+impl Search {
+    /// Behind one more row.
+    fn behind(self, condition: NodeId, distance: u32) -> Self {
+        let zeros = Zeros { most: self.zeros.most + distance, ..self.zeros };
+        Self { zeros, last: Some((condition, distance)) }
+    }
 }
 
 impl Finder<'_> {
@@ -88,100 +96,70 @@ impl Finder<'_> {
             let (Idiom::ShiftRight(shift) | Idiom::Lost(shift)) = idiom else { return None };
             return (shift.bits > 1).then_some(idiom);
         }
-        let Op::Mux { select, when_true, when_false } = self.graph.op(id) else { return None };
-        let row = self.row(select)?;
-        // Only a search that goes down to single zeros, from more than one, is complete.
-        let is_complete = row.distance == 1 && row.zeros.most > 1 && row.zeros.most < 32;
-        if self.is_shifted_left(when_true, when_false, row.distance)
-            && self.searched(select) == Some(when_false)
-        {
-            self.rows.insert(id, row);
-            return is_complete.then_some(Idiom::Normalised(row.zeros));
-        }
-        if let Some(base) = self.counted_from(when_true, when_false, &row) {
-            self.counts.insert(id, (row, base));
-            return is_complete.then_some(Idiom::Counted(row.zeros, base));
-        }
-        let first = row.zeros.budget?;
-        let takes = self.is_binary_with_constant(BinaryOp::Sub, when_true, when_false, row.distance);
-        (is_complete && takes && row.budget == Some(when_false)).then_some(Idiom::Spent(row.zeros, first))
-    }
-
-    /// The row that a condition decides.
-    fn row(&self, condition: NodeId) -> Option<Row> {
-        let (value, distance, budget) = self.condition(condition)?;
-        let row = |zeros| Some(Row { zeros, distance, condition, budget });
-        let Some(before) = self.rows.get(&value) else {
-            return row(Zeros { value, most: distance, budget });
-        };
-        let follows = before.distance == 2 * distance
-            && match (before.budget, budget) {
-                (None, None) => true,
-                (Some(whole), Some(rest)) => self.is_spent(rest, whole, before),
-                _ => false,
-            };
-        if follows {
-            row(Zeros { most: before.zeros.most + distance, ..before.zeros })
-        } else {
-            row(Zeros { value, most: distance, budget })
-        }
-    }
-
-    /// `rest = condition ? whole - distance : whole`.
-    fn is_spent(&self, rest: NodeId, whole: NodeId, row: &Row) -> bool {
-        let Op::Mux { select, when_true, when_false } = self.graph.op(rest) else { return false };
-        select == row.condition
-            && when_false == whole
-            && self.is_binary_with_constant(BinaryOp::Sub, when_true, whole, row.distance)
-    }
-
-    /// The number that a count starts from.
-    fn counted_from(&self, when_true: NodeId, when_false: NodeId, row: &Row) -> Option<NodeId> {
-        let constant = |id| self.graph.constant_value(id);
-        let adds = self.is_binary_with_constant(BinaryOp::Add, when_true, when_false, row.distance)
-            || constant(when_false)
-                .is_some_and(|n| constant(when_true) == Some(n + u128::from(row.distance)));
-        if !adds {
+        if let Some(window) = self.wider(id).or_else(|| self.shifted(id)) {
+            self.windows.insert(id, window);
             return None;
         }
-        // The first row starts from any number, a later one from the count of the row before it.
-        match self.counts.get(&when_false) {
-            Some((before, base)) => {
-                let value = self.searched(row.condition)?;
-                let follows =
-                    self.rows.get(&value).is_some_and(|shifted| shifted.condition == before.condition);
-                follows.then_some(*base)
-            }
-            None => (row.zeros.most == row.distance).then_some(when_false),
-        }
+        let search = self.counted(id)?;
+        self.counts.insert(id, search);
+        // Only a search that goes down to single zeros, from more than one, is complete.
+        let is_complete =
+            matches!(search.last, Some((_, 1))) && search.zeros.most > 1 && search.zeros.most < 32;
+        is_complete.then_some(Idiom::LeadingZeros(search.zeros))
     }
 
-    /// The value that a condition looks at.
-    fn searched(&self, condition: NodeId) -> Option<NodeId> {
-        self.condition(condition).map(|(value, ..)| value)
+    /// Any node is the value of a search without rows.
+    fn window(&self, id: NodeId) -> Window {
+        let search = Search { zeros: Zeros { value: id, most: 0 }, last: None };
+        self.windows.get(&id).copied().unwrap_or(Window { search, width: 1 })
     }
 
-    /// `value < 2^(width - distance)`, and `distance <= budget` if there is one.
-    fn condition(&self, id: NodeId) -> Option<(NodeId, u32, Option<NodeId>)> {
-        match self.graph.op(id) {
-            Op::Binary(BinaryOp::Lt, value, limit) => {
-                let (limit, width) = (self.graph.constant_value(limit)?, self.graph.width(value));
-                let distance = width.checked_sub(limit.ilog2())?;
-                let fits = limit.is_power_of_two() && distance.is_power_of_two();
-                (fits && Kind::of(width) == Kind::Word).then_some((value, distance, None))
+    /// `window | window << width`.
+    fn wider(&self, id: NodeId) -> Option<Window> {
+        let Op::Binary(BinaryOp::Or, a, b) = self.graph.op(id) else { return None };
+        let with = |narrow: NodeId, other: NodeId| {
+            let Window { search, width } = self.window(narrow);
+            self.is_shifted_left(other, narrow, width).then_some(Window { search, width: 2 * width })
+        };
+        with(a, b).or_else(|| with(b, a))
+    }
+
+    /// `condition ? window : window << distance`.
+    fn shifted(&self, id: NodeId) -> Option<Window> {
+        let Op::Mux { select, when_true, when_false } = self.graph.op(id) else { return None };
+        let (before, distance) = self.condition(select)?;
+        let Window { search, width } = self.window(when_true);
+        let is_row = search == before && self.is_shifted_left(when_false, when_true, distance);
+        is_row.then(|| Window { search: before.behind(select, distance), width })
+    }
+
+    /// `condition ? count : count | distance`.
+    fn counted(&self, id: NodeId) -> Option<Search> {
+        let Op::Mux { select, when_true, when_false } = self.graph.op(id) else { return None };
+        let (before, distance) = self.condition(select)?;
+        let constant = |id| self.graph.constant_value(id);
+        let is_row = match self.counts.get(&when_true) {
+            Some(&counted) => {
+                let Op::Binary(BinaryOp::Or, a, b) = self.graph.op(when_false) else { return None };
+                let is_distance = |id| constant(id) == Some(distance.into());
+                counted == before && (a == when_true && is_distance(b) || b == when_true && is_distance(a))
             }
-            Op::Binary(BinaryOp::And, a, b) => {
-                let with = |below: NodeId, within: NodeId| {
-                    let (value, distance, None) = self.condition(below)? else { return None };
-                    let Op::Binary(BinaryOp::Le, least, budget) = self.graph.op(within) else { return None };
-                    let is_distance = self.graph.constant_value(least) == Some(distance.into());
-                    let fits = is_distance && Kind::of(self.graph.width(budget)) == Kind::Word;
-                    fits.then_some((value, distance, Some(budget)))
-                };
-                with(a, b).or_else(|| with(b, a))
+            None => {
+                let is_first = before.last.is_none() && constant(when_true) == Some(0);
+                is_first && constant(when_false) == Some(distance.into())
             }
-            _ => None,
-        }
+        };
+        is_row.then(|| before.behind(select, distance))
+    }
+
+    /// The search before the row that a condition decides, the top bit of a window, and how far the row shifts.
+    fn condition(&self, id: NodeId) -> Option<(Search, u32)> {
+        let Op::Slice { of, low } = self.graph.op(id) else { return None };
+        let Window { search, width: distance } = self.window(of);
+        let width = self.graph.width(of);
+        let is_top_bit = low + 1 == width && self.graph.width(id) == 1 && Kind::of(width) == Kind::Word;
+        let follows = search.last.is_none_or(|(_, before)| before == 2 * distance);
+        (is_top_bit && follows).then_some((search, distance))
     }
 
     /// `id = value << distance`.
@@ -190,12 +168,6 @@ impl Finder<'_> {
         self.graph.constant_value(low) == Some(0)
             && self.graph.width(low) == distance
             && self.graph.op(high) == (Op::Slice { of: value, low: 0 })
-    }
-
-    fn is_binary_with_constant(&self, op: BinaryOp, id: NodeId, value: NodeId, number: u32) -> bool {
-        let Op::Binary(found, a, b) = self.graph.op(id) else { return false };
-        let is_number = |id| self.graph.constant_value(id) == Some(number.into());
-        found == op && (a == value && is_number(b) || op.is_commutative() && b == value && is_number(a))
     }
 
     /// A row of a shifter: `bit ? value >> 2^i : value`.

@@ -74,8 +74,8 @@ impl<'b> LogicBuilder<'b> {
         })
     }
 
-    /// The value of a node that ends a recognised shape.
-    fn idiom(&mut self, path: &[u32], idiom: Idiom) -> NodeId {
+    /// The value of a node of `width` bits that ends a recognised shape.
+    fn idiom(&mut self, path: &[u32], idiom: Idiom, width: u32) -> NodeId {
         match idiom {
             Idiom::ShiftRight(shift) => {
                 let (value, amount) = self.shift_operands(path, shift);
@@ -88,38 +88,17 @@ impl<'b> LogicBuilder<'b> {
                 let back = graph.binary(BinaryOp::Shl, shifted, amount);
                 graph.binary(BinaryOp::Ne, back, value)
             }
-            Idiom::Normalised(zeros) => {
-                let (value, zeros) = (self.value(path, zeros.value), self.zeros(path, zeros));
-                self.logic.graph.binary(BinaryOp::Shl, value, zeros)
+            Idiom::LeadingZeros(Zeros { value, most }) => {
+                let of = self.value(path, value);
+                let zeros = self.source(Source::LeadingZeros { of, most }, most.ilog2() + 1);
+                self.logic.graph.resize(zeros, width, false)
             }
-            Idiom::Counted(zeros, base) => self.with_zeros(path, BinaryOp::Add, base, zeros),
-            Idiom::Spent(zeros, base) => self.with_zeros(path, BinaryOp::Sub, base, zeros),
         }
     }
 
     fn shift_operands(&mut self, path: &[u32], shift: Shift) -> (NodeId, NodeId) {
         let (value, amount) = (self.value(path, shift.value), self.value(path, shift.amount));
         (value, self.logic.graph.slice(amount, 0, shift.bits))
-    }
-
-    fn with_zeros(&mut self, path: &[u32], op: BinaryOp, base: NodeId, zeros: Zeros) -> NodeId {
-        let (base, zeros) = (self.value(path, base), self.zeros(path, zeros));
-        let graph = &mut self.logic.graph;
-        let zeros = graph.resize(zeros, graph.width(base), false);
-        graph.binary(op, base, zeros)
-    }
-
-    fn zeros(&mut self, path: &[u32], zeros: Zeros) -> NodeId {
-        let Zeros { value, most, budget } = zeros;
-        let of = self.value(path, value);
-        let zeros = self.source(Source::LeadingZeros { of, most }, most.ilog2() + 1);
-        let Some(budget) = budget else { return zeros };
-        let budget = self.value(path, budget);
-        let graph = &mut self.logic.graph;
-        let width = graph.width(zeros).max(graph.width(budget));
-        let (zeros, budget) = (graph.extend(zeros, width, false), graph.extend(budget, width, false));
-        let within = graph.binary(BinaryOp::Lt, zeros, budget);
-        graph.mux(within, zeros, budget)
     }
 
     /// The node of the unit's graph with the value of `node` of the module at `path`.
@@ -132,7 +111,7 @@ impl<'b> LogicBuilder<'b> {
         let module = builder.module(path);
         let found = module.graph.node(node);
         if let Some(&idiom) = builder.idioms[builder.module_id(path).index()].get(&node) {
-            let value = self.idiom(path, idiom);
+            let value = self.idiom(path, idiom, found.width);
             self.values.insert(key, value);
             return value;
         }

@@ -185,7 +185,7 @@ fn export() {
     let work = Workplace::new();
     let document = work.json("export --out rtl --unit fp_mul --format binary16 --vectors 50");
     let files = document["artifacts"].as_array().unwrap();
-    assert_eq!(files.len(), 13, "{files:?}");
+    assert_eq!(files.len(), 14, "{files:?}");
     let verilog = String::from_utf8(work.read("rtl/fp_mul_binary16.v")).unwrap();
     assert!(verilog.contains("module fp_mul_binary16"), "{verilog}");
     assert_eq!(

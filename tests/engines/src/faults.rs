@@ -20,7 +20,7 @@ pub fn faults() -> Vec<(Top, &'static str, &'static str, Change)> {
         (Top::FpAdd, "fp_add", "normal", SwapOperands),
         (Top::FpMul, "leading_zeros", "count", with("count_5")),
         (Top::FpMul, "leading_zeros", "count_3", Increment),
-        (Top::FpMul, "leading_zeros", "value_4", with("value_3")),
+        (Top::FpMul, "leading_zeros", "any$3_4", with("any$3_3")),
         (Top::FpMul, "leading_zeros", "value_i", StuckBit { bit: 23, value: false }),
     ]
 }
