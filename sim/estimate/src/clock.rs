@@ -266,7 +266,6 @@ mod tests {
         assert_eq!(pipeline.area().all_units(), 0.0);
         pipeline.mapped.attribute(&pipeline.graph, &library);
         let found = pipeline.area();
-        println!("{own:?} {found:?}");
         for (unit, area) in
             own.units.iter().map(|(unit, &area)| (Some(*unit), area)).chain([(None, own.glue)])
         {

@@ -1,7 +1,7 @@
 //! ABC as another mapper, where it is installed: a graph goes there as AIGER, and comes back as cells of the library.
 //!
-//! The scripts are fixed here and in [`netlist::verilog`], whose packages use the fastest, so that comparisons with them stay comparable. `{D}` is the delay in picoseconds that ABC may
-//! use between registers. Every script buffers and sizes its cells.
+//! The scripts are fixed here and in [`netlist::verilog`], whose packages use the fastest, so that comparisons with them stay
+//! comparable. `{D}` is the delay in picoseconds that ABC may use between registers. Every script buffers and sizes its cells.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
